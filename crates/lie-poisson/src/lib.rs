@@ -49,7 +49,7 @@
 //! | a Hamiltonian from one formula, for `f64` | [`from_closure`] |
 //! | a Hamiltonian from one formula, for every scalar | [`Energy`], wrapped in [`Automatic`] |
 //! | a Hamiltonian with an explicit formula for its differential | [`Hamiltonian`], [`from_closures`] |
-//! | maps between 𝔤 and G other than exp | [`Logarithm`], [`Cayley`] |
+//! | maps from 𝔤 to G other than exp | [`Cayley`] |
 //! | tests of your own types against the axioms | the module `laws` (feature `laws`) |
 //!
 //! The scalars, vectors and derivatives of [`generic_scalars`] are re-exported here.
@@ -82,7 +82,7 @@
 mod algebras;
 mod groups;
 mod representations;
-mod charts;
+mod cayley;
 mod brackets;
 
 #[cfg(feature = "laws")]
@@ -108,8 +108,7 @@ pub use groups::so3::{SO3, So3};
 pub use groups::su2::{SU2, Su2};
 pub use groups::unitary::{SkewHermitian, UnitaryAlgebra, UnitaryGroup};
 
-pub use charts::cayley::Cayley;
-pub use charts::logarithm::{Logarithm, LogarithmError};
+pub use cayley::Cayley;
 pub use representations::cocycle::{Cocycle, CocycleError};
 pub use representations::derived::{
     Adjoint, CocycleExtension, Contragredient, Diagonal, ExtendedAdjoint, ExtendedCoadjoint,

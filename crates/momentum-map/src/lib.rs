@@ -34,7 +34,7 @@
 //! | an action of your own | [`GroupAction`], with its [`Side`] |
 //! | a linear or an affine action | [`LinearAction`], [`AffineAction`] |
 //! | the action q ↦ Φ(g⁻¹, q) on the other side | [`Opposite`] |
-//! | one group on two spaces, or two groups | [`JointAction`], [`ProductAction`] |
+//! | two groups, each on its own space | [`ProductAction`] |
 //! | the lift of an action to T∗Q | [`CotangentLift`] |
 //! | the momentum map of a lifted action | [`MomentumMap`] |
 //! | the momentum map of a linear symplectic action | [`QuadraticMomentumMap`] |
@@ -108,7 +108,7 @@ pub mod laws;
 
 pub use actions::action::{ActingElement, ActionPoint, Generator, GroupAction, Side};
 pub use actions::cotangent_lift::CotangentLift;
-pub use actions::derived_actions::{JointAction, Opposite, ProductAction};
+pub use actions::derived_actions::{Opposite, ProductAction};
 pub use actions::represented_actions::{AffineAction, LinearAction, RepresentationSpace};
 pub use clebsch::clebsch_map::{ClebschMap, clebsch_map};
 pub use clebsch::clebsch_section::{ClebschRealisation, ClebschSection, clebsch_realisation};

@@ -1,8 +1,8 @@
-//! The law suites of [`LieGroup`], [`Logarithm`] and [`Cayley`].
+//! The law suites of [`LieGroup`] and [`Cayley`].
 
 use super::{NoSamples, Report, regimes};
 use crate::{
-    AlgebraElement, Cayley, DualNumber, GroupMomentum, LieAlgebra, LieGroup, Logarithm, Vector,
+    AlgebraElement, Cayley, DualNumber, GroupMomentum, LieAlgebra, LieGroup, Vector,
     derivative_part, map_coordinates,
 };
 
@@ -93,29 +93,6 @@ fn two_elements<G: LieGroup>(
     let mu: GroupMomentum<G> = map_coordinates(zeta, |x| x);
     let pairing = group.coadjoint::<f64>(g, &mu).pairing(eta) - mu.pairing(&ad(g, eta));
     report.note("Ad* is the transpose of Ad", pairing.abs(), size * eta.max_abs());
-}
-
-/// Evaluates the laws `log after exp` and `exp after log` on samples of the algebra inside the domain of
-/// log.
-///
-/// # Errors
-/// Returns [`NoSamples`] if there are no samples. An element without a logarithm gives a residual of NaN.
-pub fn logarithm<G: Logarithm>(
-    group: &G,
-    samples: &[AlgebraElement<G>],
-) -> Result<Report, NoSamples> {
-    let mut report = Report::default();
-    for xi in regimes("algebra elements", samples)? {
-        let g = group.exp::<f64>(&xi);
-        let (back, again) = match group.log::<f64>(&g) {
-            Ok(log) => ((log - xi).max_abs(), (group.exp::<f64>(&log) - g).max_abs()),
-            Err(_) => (f64::NAN, f64::NAN),
-        };
-        // Near the identity, ξ is known only to the rounding error of a matrix near 1.
-        report.note("log after exp", back, xi.max_abs().max(1.0));
-        report.note("exp after log", again, g.max_abs());
-    }
-    Ok(report)
 }
 
 /// Evaluates the laws `cay agrees with exp to second order` and `cay(−ξ) is the inverse` on samples of the

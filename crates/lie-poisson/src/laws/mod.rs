@@ -28,7 +28,7 @@ mod representation;
 
 pub use algebra::lie_algebra;
 pub use faulty::Faulty;
-pub use group::{cayley, lie_group, logarithm};
+pub use group::{cayley, lie_group};
 pub use hamiltonian::{hamiltonian, sites_hamiltonian};
 pub use poisson::{casimirs, poisson_space};
 pub use representation::{group_representation, representation};

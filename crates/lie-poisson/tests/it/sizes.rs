@@ -93,7 +93,6 @@ fn families_of_representations() {
     holds(laws::lie_group(&UnitaryGroup::<1>, &samples()).unwrap());
     holds(laws::lie_group(&UnitaryGroup::<5>, &samples()).unwrap());
     holds(laws::lie_group(&PowerGroup::<_, 12>(SU2), &samples()).unwrap());
-    holds(laws::logarithm(&PowerGroup::<_, 12>(SU2), &samples()).unwrap());
     holds(laws::cayley(&PowerGroup::<_, 12>(SE3::default()), &samples()).unwrap());
 }
 

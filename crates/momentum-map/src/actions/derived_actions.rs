@@ -1,4 +1,4 @@
-//! Actions made from other actions: [`Opposite`], [`JointAction`], [`ProductAction`].
+//! Actions made from other actions: [`Opposite`], [`ProductAction`].
 
 use crate::{ActingElement, ActionPoint, Cotangent, Generator, GroupAction, Side};
 use lie_poisson::{
@@ -88,68 +88,6 @@ where
     R: Vector<Scalar = Q::Scalar>,
 {
     Cotangent { q: Pair(first.q, second.q), p: from_parts(&first.p, &second.p) }
-}
-
-/// The action of one group on two spaces at once: Φ_g(q, r) = (Φ_g(q), Φ_g(r)).
-///
-/// Both actions must be on the same side; otherwise the code does not compile.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct JointAction<A, B>(pub A, pub B);
-
-impl<A, B> GroupAction for JointAction<A, B>
-where
-    A: GroupAction,
-    B: GroupAction<Group = A::Group>,
-{
-    type Group = A::Group;
-    type Space = ProductSpace<A::Space, B::Space>;
-    const SIDE: Side = A::SIDE.same_as(B::SIDE);
-
-    fn group(&self) -> A::Group {
-        self.0.group()
-    }
-
-    fn space(&self) -> Self::Space {
-        ProductSpace(self.0.space(), self.1.space())
-    }
-
-    #[inline]
-    fn act<T: Real>(
-        &self,
-        g: &ActingElement<A, T>,
-        q: &ActionPoint<Self, T>,
-    ) -> ActionPoint<Self, T> {
-        Pair(self.0.act::<T>(g, &q.0), self.1.act::<T>(g, &q.1))
-    }
-
-    #[inline]
-    fn infinitesimal_generator<T: Real>(
-        &self,
-        xi: &Generator<A, T>,
-        q: &ActionPoint<Self, T>,
-    ) -> ActionPoint<Self, T> {
-        Pair(
-            self.0.infinitesimal_generator::<T>(xi, &q.0),
-            self.1.infinitesimal_generator::<T>(xi, &q.1),
-        )
-    }
-
-    /// Returns the sum of the momenta of the two actions.
-    #[inline]
-    fn momentum<T: Real>(&self, z: &Cotangent<ActionPoint<Self, T>>) -> GroupMomentum<A::Group, T> {
-        let (first, second) = split(z);
-        self.0.momentum::<T>(&first) + self.1.momentum::<T>(&second)
-    }
-
-    #[inline]
-    fn lifted_generator<T: Real>(
-        &self,
-        xi: &Generator<A, T>,
-        z: &Cotangent<ActionPoint<Self, T>>,
-    ) -> Cotangent<ActionPoint<Self, T>> {
-        let (first, second) = split(z);
-        join(&self.0.lifted_generator::<T>(xi, &first), &self.1.lifted_generator::<T>(xi, &second))
-    }
 }
 
 /// The action of two groups, each on its own space: Φ_(g,h)(q, r) = (Φ_g(q), Φ_h(r)).

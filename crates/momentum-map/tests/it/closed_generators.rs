@@ -108,7 +108,6 @@ proptest! {
 
     #[test]
     fn actions_on_products(x in coordinates()) {
-        both_sides(&JointAction(LinearAction(SO3OnR3), LinearAction(Adjoint(SO3))), &x)?;
         both_sides(&ProductAction(AffineAction(SO2OnR2), LinearAction(SU2OnC2)), &x)?;
         let nested = ProductAction(Opposite(AffineAction(SL2OnR2)), Opposite(LinearAction(SO2OnR2)));
         both_sides(&nested, &x)?;

@@ -33,7 +33,6 @@ fn affine_actions() {
 
 #[test]
 fn actions_on_products() {
-    action_laws(&JointAction(LinearAction(SO3OnR3), LinearAction(SO3OnR3)));
     action_laws(&ProductAction(AffineAction(SO2OnR2), LinearAction(SO3OnR3)));
 }
 
