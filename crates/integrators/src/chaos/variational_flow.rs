@@ -7,7 +7,7 @@ use super::tangent_integrator::{
 };
 use super::tangent_scales::{Prober, TangentScales};
 use crate::{CHECKPOINT, IntegrationError, Integrator, StepError};
-use lie_poisson::{DualNumber, State, euclidean_norm, squaring_scale};
+use lie_poisson::{BlockScales, DualNumber, State, euclidean_norm, squaring_scale};
 
 /// A state z with K tangent vectors v, advanced by the integrator and by its exact tangent map:
 ///
@@ -203,14 +203,8 @@ where
             Integrator::<DualNumber>::forget(self.integrator, &mut self.dual_workspace);
         }
         let Self { integrator, workspace, dual_workspace, state, tangents, spare, dual, .. } = self;
-        for (v, next) in tangents.iter().zip(spare.iter_mut()) {
-            // The steps are solved to the round-off of the larger of the value and the derivative: they are of one size.
-            let factor = power_of_two_near(units.norm(v).recip());
-            dual.set_entries(|i| DualNumber::new(state.entry(i), v.entry(i) * factor));
-            Integrator::<DualNumber>::step_in_place(*integrator, dual, size, dual_workspace)
-                .map_err(fail)?;
-            next.set_entries(|i| dual.entry(i).derivative() / factor);
-        }
+        step_tangents(*integrator, (state, units), (tangents, spare), (dual, dual_workspace), size)
+            .map_err(fail)?;
         Integrator::<f64>::step_in_place(*integrator, state, size, workspace).map_err(fail)?;
         core::mem::swap(tangents, spare);
         self.steps += 1;
@@ -230,9 +224,10 @@ where
     pub fn orthonormalise(&mut self) -> Result<[f64; K], VariationalError> {
         let (time, units) = (self.time(), self.scales()?);
         units.divide(&mut self.tangents, &mut self.spare);
-        let lengths = orthonormalise(&mut self.tangents, &mut self.spare, time);
+        let mut lengths = [0.0; K];
+        let outcome = orthonormalise(&mut self.tangents, &mut self.spare, &mut lengths, time);
         units.multiply(&mut self.tangents, &mut self.spare);
-        lengths
+        outcome.map(|()| lengths)
     }
 
     /// Scales each tangent vector so that its image DM(z) v has the length 1, without orthogonalisation, and returns
@@ -251,21 +246,8 @@ where
         let like = self.momentum();
         let mut lengths = [0.0; K];
         let Self { integrator, state, dual, tangents, .. } = self;
-        for (index, (v, stretch)) in tangents.iter_mut().zip(&mut lengths).enumerate() {
-            let mut image = image(*integrator, (state, v), dual, &scales, &like);
-            let scale = squaring_scale(&image);
-            image.scale_in_place(scale);
-            let size = euclidean_norm(&image);
-            let length = size / scale;
-            // The condition is false for a NaN, which is then an error.
-            let has_direction = length > 0.0 && length.is_finite();
-            if !has_direction {
-                return Err(VariationalError::Dependent { index, length, time });
-            }
-            v.scale_in_place(scale);
-            v.scale_in_place(size.recip());
-            *stretch = length;
-        }
+        normalise_images(*integrator, (state, tangents), dual, (&scales, &like), &mut lengths)
+            .map_err(|(index, length)| VariationalError::Dependent { index, length, time })?;
         Ok(lengths)
     }
 
@@ -274,6 +256,57 @@ where
         let fail = |source| IntegrationError::after(0, self.size, source).into();
         self.scales.map_err(fail)
     }
+}
+
+/// Makes a step of the tangent vectors of a state, and writes the new ones to `spare`. It is compiled once for any number of
+/// them.
+#[inline(never)]
+fn step_tangents<I: TangentIntegrator>(
+    integrator: &I,
+    (state, units): (&StateOf<I>, BlockScales<StateOf<I>>),
+    (tangents, spare): (&[StateOf<I>], &mut [StateOf<I>]),
+    (dual, workspace): (&mut DualStateOf<I>, &mut <I as Integrator<DualNumber>>::Workspace),
+    size: f64,
+) -> Result<(), StepError> {
+    for (v, next) in tangents.iter().zip(spare) {
+        // The steps are solved to the round-off of the larger of the value and the derivative: they are of one size.
+        let factor = power_of_two_near(units.norm(v).recip());
+        dual.set_entries(|i| DualNumber::new(state.entry(i), v.entry(i) * factor));
+        Integrator::<DualNumber>::step_in_place(integrator, dual, size, workspace)?;
+        next.set_entries(|i| dual.entry(i).derivative() / factor);
+    }
+    Ok(())
+}
+
+/// Divides tangent vectors of a state by the lengths of their images, which it writes to `lengths`. It is compiled once for
+/// any number of them.
+///
+/// # Errors
+/// Returns the index and the length of the first image that has no direction.
+#[inline(never)]
+fn normalise_images<I: TangentIntegrator>(
+    integrator: &I,
+    (state, tangents): (&StateOf<I>, &mut [StateOf<I>]),
+    dual: &mut DualStateOf<I>,
+    (scales, like): (&TangentScales<StateOf<I>, MomentumOf<I>>, &MomentumOf<I>),
+    lengths: &mut [f64],
+) -> Result<(), (usize, f64)> {
+    for (index, (v, stretch)) in tangents.iter_mut().zip(lengths).enumerate() {
+        let mut image = image(integrator, (state, v), dual, scales, like);
+        let scale = squaring_scale(&image);
+        image.scale_in_place(scale);
+        let size = euclidean_norm(&image);
+        let length = size / scale;
+        // The condition is false for a NaN, which is then an error.
+        let has_direction = length > 0.0 && length.is_finite();
+        if !has_direction {
+            return Err((index, length));
+        }
+        v.scale_in_place(scale);
+        v.scale_in_place(size.recip());
+        *stretch = length;
+    }
+    Ok(())
 }
 
 /// Returns the image DM(z) v in units of the scales of the blocks of momenta.
