@@ -33,7 +33,6 @@
 //! | to stop a command, or to hide or show its progress | [`supervision`] |
 //! | the reason why a command failed, its text and its exit code | [`Error`], [`errors`] |
 //! | the whole program in one call | [`main`] |
-//! | a message instead of an abort when memory runs out | [`MemoryGuard`] |
 //!
 //! The other modules serve the commands: `reading` for configurations from files and assignments, `formats` for the
 //! columns of a run and CSV, npz and Parquet, `files` for outputs that appear under their names only when they are complete,
@@ -77,4 +76,4 @@ pub mod commands;
 mod interface;
 
 pub use errors::Error;
-pub use interface::{MemoryGuard, main};
+pub use interface::main;

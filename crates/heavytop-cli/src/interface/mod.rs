@@ -8,8 +8,6 @@ mod suggested_command;
 mod confirmation;
 mod first_configuration;
 mod manual;
-mod memory_guard;
 mod program;
 
-pub use memory_guard::MemoryGuard;
 pub use program::main;

@@ -6,18 +6,12 @@ use std::time::{Duration, Instant};
 /// The time within which signals count as one: launchers send them to a process and to its group.
 const TOGETHER: Duration = Duration::from_millis(500);
 
-/// The memory that a thread needs to start, in bytes: its stack, which has two mebibytes, and what is allocated besides.
-const THREAD: usize = 4 << 20;
-
 /// Returns the flag that Ctrl-C sets, and other signals that ask a program to end.
 ///
 /// A second signal, later, ends the program at once.
 pub(super) fn interrupted() -> &'static AtomicBool {
     static INTERRUPTED: AtomicBool = AtomicBool::new(false);
     let mut first: Option<Instant> = None;
-    // The handler waits in a thread, and a thread that starts without memory ends with a backtrace. Here
-    // [`MemoryGuard`](super::MemoryGuard) ends the program with its message.
-    drop(std::hint::black_box(Vec::<u8>::with_capacity(THREAD)));
     // Without a handler such a signal ends the program, as usual.
     let _ = ctrlc::set_handler(move || {
         if first.get_or_insert_with(Instant::now).elapsed() > TOGETHER {
