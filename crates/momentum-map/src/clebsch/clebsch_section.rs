@@ -134,10 +134,11 @@ impl ClebschSection {
     }
 
     /// Sets the coordinates on which J does not depend to zero: those of p on which no ξq has a component, and those of
-    /// invariant q. They may grow, and then hide how the others compare.
+    /// invariant q. They may grow, and then hide how the others compare. What is not finite becomes NaN, which a step
+    /// refuses.
     fn without_idle_coordinates<V: Vector>(&self, z: &V) -> V {
         V::from_coordinates(|i| match self.matters.get(i) {
-            Some(false) => V::Scalar::from_f64(0.0),
+            Some(false) => z.coordinate(i) * 0.0,
             _ => z.coordinate(i),
         })
     }

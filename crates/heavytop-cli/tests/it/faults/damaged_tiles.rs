@@ -73,6 +73,7 @@ impl FinishedTiles {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn tiles_that_are_damaged_are_made_again() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let run = FinishedTiles::new(case);
@@ -139,6 +140,7 @@ fn a_folder_in_place_of_a_tile_is_named(run: &FinishedTiles) {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn a_folder_in_place_of_the_identity_is_refused() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = Folder::new();
@@ -156,6 +158,7 @@ fn a_folder_in_place_of_the_identity_is_refused() {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn a_tile_that_is_removed_during_the_run_is_missed_and_made_again() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = case.folder();

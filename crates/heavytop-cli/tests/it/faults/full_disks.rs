@@ -67,6 +67,7 @@ fn run_out(writing: &Writing, pages: u64, repeat: bool) -> Option<bool> {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn on_a_full_disk_the_old_files_stay_and_the_run_is_repeated_with_success() {
     for writing in &WRITING {
         let needed = needed(writing);
@@ -83,6 +84,7 @@ fn on_a_full_disk_the_old_files_stay_and_the_run_is_repeated_with_success() {
 
 /// Where nobody can be asked, a run that would fill the disk is refused.
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn a_run_that_would_fill_the_disk_is_refused() {
     for writing in WRITING.iter().filter(|writing| !writing.anew.is_empty()) {
         let old = writing.with_old_files();
@@ -124,6 +126,7 @@ const RUNS: [(&[&str], &str, Option<usize>); 4] = [
 
 /// The disk is full when a checkpoint is written: the first one, or a later one, while the one before is kept.
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn a_disk_that_is_full_when_the_checkpoint_is_written_loses_nothing() {
     for (arguments, rows, bytes_of_row) in RUNS {
         let (folder, out) = (Folder::new(), arguments[2]);

@@ -46,6 +46,7 @@ fn assert_goes_on(writing: &Writing, folder: &Folder) {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn what_was_killed_is_repeated_with_success() {
     for writing in &WRITING {
         // A run may be over before it is killed. Then the next one is killed earlier.
@@ -56,6 +57,7 @@ fn what_was_killed_is_repeated_with_success() {
 
 /// The files of `compare` hold times, and get their names together, after seconds of work.
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn a_comparison_that_is_killed_while_it_writes_is_repeated_with_success() {
     let compare = WRITING.iter().find(|writing| writing.arguments[0] == "compare").unwrap();
     let is_killed = (0..8).any(|_| {

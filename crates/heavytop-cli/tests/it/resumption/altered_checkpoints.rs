@@ -6,6 +6,7 @@ use std::thread::sleep;
 use std::time::Duration;
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn what_a_run_cannot_go_on_from_is_refused_and_left_as_it_is() {
     let folder = interrupted("a.csv");
     folder.write("other.toml", &LONG.replace("gauss-4", "gauss-6"));
@@ -81,6 +82,7 @@ fn with(key: &str, value: impl Fn(&str) -> String) -> impl Fn(&str) -> String {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn what_no_run_can_have_kept_is_refused_though_it_is_whole() {
     let number = |text: &str| text.parse::<u64>().unwrap();
     // A list without its first number; a list with another first number.

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 /// A run that was killed while it removed its tiles may have left some of them.
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn tiles_of_another_run_are_not_taken() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = case.folder();
@@ -28,6 +29,7 @@ fn tiles_of_another_run_are_not_taken() {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn a_damaged_identity_is_refused() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = case.folder();
@@ -71,6 +73,7 @@ fn a_damaged_identity_is_refused() {
 
 /// As if the run had begun on a processor with other instructions.
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn tiles_with_other_last_digits_are_refused() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = interrupted(&case);
@@ -87,6 +90,7 @@ fn tiles_with_other_last_digits_are_refused() {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn tiles_that_were_swapped_are_made_again() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = interrupted(&case);
@@ -102,6 +106,7 @@ fn tiles_that_were_swapped_are_made_again() {
 
 /// A tile lacks its last line, or has it twice, with the checksum of its present contents.
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn tiles_that_are_whole_and_not_what_they_should_be_are_made_again() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = interrupted(&case);

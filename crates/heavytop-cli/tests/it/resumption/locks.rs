@@ -102,6 +102,7 @@ fn assert_refused(run: &Finished, what: &[&str]) {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn a_second_run_is_refused_and_leaves_the_first_alone() {
     for first in FIRST {
         let (folder, mut child) = first.start();
@@ -131,6 +132,7 @@ fn a_second_run_is_refused_and_leaves_the_first_alone() {
 
 /// A run whose output another has written before is not refused either.
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn a_run_that_was_killed_keeps_nobody_out() {
     for first in FIRST {
         let (folder, mut child) = first.start();
@@ -161,6 +163,7 @@ fn a_run_that_was_killed_keeps_nobody_out() {
 
 /// Another process holds the output of a section when all its starts are finished.
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn what_another_run_writes_at_the_end_is_left_alone_and_the_tiles_stay() {
     let folder = Folder::new();
     folder.write("a.toml", "section = { starts = 2, crossings = 2 }");

@@ -109,6 +109,7 @@ pub fn interrupted(case: &Case) -> Folder {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn a_killed_run_goes_on_to_the_same_bytes() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = case.folder();
@@ -152,6 +153,7 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn ctrl_c_ends_a_run_whose_tiles_stay_also_twice() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = case.folder();
@@ -193,6 +195,7 @@ fn ctrl_c_ends_a_run_whose_tiles_stay_also_twice() {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn a_run_without_room_goes_on_once_there_is_some() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = case.folder();
@@ -215,6 +218,7 @@ fn a_run_without_room_goes_on_once_there_is_some() {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn a_run_that_shall_start_anew_discards_the_tiles() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = interrupted(&case);
@@ -232,6 +236,7 @@ fn a_run_that_shall_start_anew_discards_the_tiles() {
 }
 
 #[test]
+#[ignore = "a fault, which .ci/run makes"]
 fn a_file_where_the_folder_should_be_is_refused() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = Folder::new();
