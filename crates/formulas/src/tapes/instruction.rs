@@ -23,12 +23,20 @@ pub(crate) enum Operation {
     Negate,
     Power(i32),
     Function(Unary),
+    /// A function of two operands.
+    OfTwo(Binary),
+    /// b where a ≥ 0, c where a < 0, and NaN where a is NaN.
+    Choose,
+}
+
+/// A function of two operands a and b. The functions share one operation: each operation costs registers in the loop over
+/// all of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Binary {
     /// The angle of the point (b, a).
     Angle,
     /// √(a² + b²), also where the squares are out of range.
     Hypotenuse,
-    /// b where a ≥ 0, c where a < 0, and NaN where a is NaN.
-    Choose,
 }
 
 /// A step of a computation: an operation, and the places of its operands and of its result.

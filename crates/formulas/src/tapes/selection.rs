@@ -1,6 +1,6 @@
 //! The instructions of a graph: the choice of the nodes that become an instruction of their own.
 
-use super::instruction::{Instruction, Operation};
+use super::instruction::{Binary, Instruction, Operation};
 use crate::graphs::graph::{Graph, Id, Node};
 use crate::graphs::simplification::whole;
 
@@ -58,8 +58,8 @@ fn choose(graph: &Graph, id: Id, uses: &[usize]) -> Option<(Operation, [Id; 3])>
             (Operation::Power(whole(f64::from_bits(bits)).unwrap_or(1)), [a; 3])
         }
         Node::Function(function, a) => (Operation::Function(function), [a; 3]),
-        Node::Angle(y, x) => (Operation::Angle, [y, x, y]),
-        Node::Hypotenuse(x, y) => (Operation::Hypotenuse, [x, y, x]),
+        Node::Angle(y, x) => (Operation::OfTwo(Binary::Angle), [y, x, y]),
+        Node::Hypotenuse(x, y) => (Operation::OfTwo(Binary::Hypotenuse), [x, y, x]),
         Node::Choose(parts) => (Operation::Choose, parts),
     };
     Some((operation, operands))

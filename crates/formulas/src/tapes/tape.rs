@@ -2,7 +2,7 @@
 
 use super::affine::Affine;
 use super::allocation::{Allocation, SIZES, allocate};
-use super::instruction::{Instruction, Operation};
+use super::instruction::{Binary, Instruction, Operation};
 use super::selection::select;
 use crate::graphs::graph::{Graph, Id};
 use crate::text::formula_error::Problem;
@@ -145,11 +145,8 @@ impl Tape {
         else {
             return results(&[]);
         };
-        // Without instructions nothing reads the coordinates.
-        if !self.instructions.is_empty() {
-            for (i, register) in first.iter_mut().enumerate() {
-                *register = input(i);
-            }
+        for (i, register) in first.iter_mut().enumerate() {
+            *register = input(i);
         }
         for (i, (register, affine)) in others.iter_mut().zip(affine).enumerate() {
             *register = affine.at(own(i));
@@ -168,6 +165,15 @@ impl Tape {
 #[inline(always)]
 fn result<T: Real>(results: &[T], i: usize) -> T {
     results.get(i).copied().unwrap_or_else(|| T::from_f64(f64::NAN))
+}
+
+/// Returns a function of two numbers.
+#[inline]
+fn of_two<T: Real>(function: Binary, a: T, b: T) -> T {
+    match function {
+        Binary::Angle => a.atan2(b),
+        Binary::Hypotenuse => euclidean_norm(&Vector2::new(a, b)),
+    }
 }
 
 impl Instruction<u16> {
@@ -192,8 +198,7 @@ impl Instruction<u16> {
             Operation::Negate => -a,
             Operation::Power(n) => a.powi(n),
             Operation::Function(function) => function.apply(a),
-            Operation::Angle => a.atan2(b()),
-            Operation::Hypotenuse => euclidean_norm(&Vector2::new(a, b())),
+            Operation::OfTwo(function) => of_two(function, a, b()),
             Operation::Choose => {
                 // A condition that is not a number holds nowhere, and neither does its contrary.
                 let otherwise = (-a).select_nonnegative(registers[place(c)], a * f64::NAN);
