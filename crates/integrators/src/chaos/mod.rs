@@ -4,6 +4,7 @@ pub(crate) mod generic_tangent;
 pub(crate) mod tangent_integrator;
 pub(crate) mod tangent_scales;
 mod orthonormal_frame;
+mod tangent_steps;
 pub(crate) mod variational_flow;
 pub(crate) mod lyapunov;
 pub(crate) mod megno;

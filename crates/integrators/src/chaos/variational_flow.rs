@@ -6,8 +6,9 @@ use super::tangent_integrator::{
     DualStateOf, MomentumOf, StateOf, TangentIntegrator, VariationalError,
 };
 use super::tangent_scales::{Prober, TangentScales};
+use super::tangent_steps::{image, normalise_images, step_tangents};
 use crate::{CHECKPOINT, IntegrationError, Integrator, StepError};
-use lie_poisson::{BlockScales, DualNumber, State, euclidean_norm, squaring_scale};
+use lie_poisson::{DualNumber, State};
 
 /// A state z with K tangent vectors v, advanced by the integrator and by its exact tangent map:
 ///
@@ -255,81 +256,6 @@ where
     fn scales(&self) -> Result<TangentScales<StateOf<I>, MomentumOf<I>>, VariationalError> {
         let fail = |source| IntegrationError::after(0, self.size, source).into();
         self.scales.map_err(fail)
-    }
-}
-
-/// Makes a step of the tangent vectors of a state, and writes the new ones to `spare`. It is compiled once for any number of
-/// them.
-#[inline(never)]
-fn step_tangents<I: TangentIntegrator>(
-    integrator: &I,
-    (state, units): (&StateOf<I>, BlockScales<StateOf<I>>),
-    (tangents, spare): (&[StateOf<I>], &mut [StateOf<I>]),
-    (dual, workspace): (&mut DualStateOf<I>, &mut <I as Integrator<DualNumber>>::Workspace),
-    size: f64,
-) -> Result<(), StepError> {
-    for (v, next) in tangents.iter().zip(spare) {
-        // The steps are solved to the round-off of the larger of the value and the derivative: they are of one size.
-        let factor = power_of_two_near(units.norm(v).recip());
-        dual.set_entries(|i| DualNumber::new(state.entry(i), v.entry(i) * factor));
-        Integrator::<DualNumber>::step_in_place(integrator, dual, size, workspace)?;
-        next.set_entries(|i| dual.entry(i).derivative() / factor);
-    }
-    Ok(())
-}
-
-/// Divides tangent vectors of a state by the lengths of their images, which it writes to `lengths`. It is compiled once for
-/// any number of them.
-///
-/// # Errors
-/// Returns the index and the length of the first image that has no direction.
-#[inline(never)]
-fn normalise_images<I: TangentIntegrator>(
-    integrator: &I,
-    (state, tangents): (&StateOf<I>, &mut [StateOf<I>]),
-    dual: &mut DualStateOf<I>,
-    (scales, like): (&TangentScales<StateOf<I>, MomentumOf<I>>, &MomentumOf<I>),
-    lengths: &mut [f64],
-) -> Result<(), (usize, f64)> {
-    for (index, (v, stretch)) in tangents.iter_mut().zip(lengths).enumerate() {
-        let mut image = image(integrator, (state, v), dual, scales, like);
-        let scale = squaring_scale(&image);
-        image.scale_in_place(scale);
-        let size = euclidean_norm(&image);
-        let length = size / scale;
-        // The condition is false for a NaN, which is then an error.
-        let has_direction = length > 0.0 && length.is_finite();
-        if !has_direction {
-            return Err((index, length));
-        }
-        v.scale_in_place(scale);
-        v.scale_in_place(size.recip());
-        *stretch = length;
-    }
-    Ok(())
-}
-
-/// Returns the image DM(z) v in units of the scales of the blocks of momenta.
-fn image<I: TangentIntegrator>(
-    integrator: &I,
-    (z, v): (&StateOf<I>, &StateOf<I>),
-    dual: &mut DualStateOf<I>,
-    scales: &TangentScales<StateOf<I>, MomentumOf<I>>,
-    like: &MomentumOf<I>,
-) -> MomentumOf<I> {
-    dual.set_entries(|i| DualNumber::new(z.entry(i), v.entry(i)));
-    let moved = Integrator::<DualNumber>::momentum(integrator, dual);
-    let mut image = like.clone();
-    image.set_entries(|i| moved.entry(i).derivative() / scales.momentum.at(like.block_of(i)));
-    image
-}
-
-/// Returns the power of two next to x > 0, within the range of normal numbers. It is 1 for other x.
-fn power_of_two_near(x: f64) -> f64 {
-    if x > 0.0 && !x.is_nan() {
-        2.0_f64.powi(x.log2().round().clamp(-1000.0, 1000.0) as i32)
-    } else {
-        1.0
     }
 }
 
