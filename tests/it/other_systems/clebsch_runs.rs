@@ -257,6 +257,24 @@ fn coordinates_that_are_round_off_do_not_stop_a_run() {
     assert_eq!((runs.made, runs.failed), (6, 0));
 }
 
+/// On aff(2) x and y decay to round-off, and with them a block of z that begins each step at zero. Sweeps compare it with its
+/// terms once Newton's iteration has been needed for that: 12 iterations a step, 33 with Newton's in each.
+#[test]
+fn blocks_that_are_round_off_cost_few_iterations() {
+    let map = extended(&table::<6>(&AFFINE, 1.0).unwrap()).unwrap();
+    let map = clebsch_realisation(map, Side::Right).unwrap();
+    let gauss = Collective::new(RungeKutta::gauss(4).unwrap(), map, Automatic(Round::<6>));
+    let start = Covector(SVector::<f64, 6>::new(0.2, 0.5, 0.0, -0.2, -0.6, -1.3));
+    let mut iterations = 0;
+    for sample in gauss.trajectory(&start, 0.1).unwrap().take(1001).skip(600) {
+        let sample = sample.unwrap();
+        iterations += sample.iterations;
+        let change = sample.momentum.0.norm_squared() / start.0.norm_squared() - 1.0;
+        assert!(change.abs() < 1e-12 && sample.momentum.0[4].abs() < 1e-12, "{}", sample.time);
+    }
+    assert!(iterations < 15 * 400, "{iterations}");
+}
+
 /// Control: without moves along the fibres z grows until nothing is left of M(z).
 #[test]
 fn z_grows_where_it_is_not_moved() {

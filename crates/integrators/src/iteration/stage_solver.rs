@@ -200,6 +200,7 @@ impl StageSolver {
             |done, near| {
                 sweep(
                     done,
+                    scale.least(),
                     k,
                     spare,
                     #[inline(always)]
@@ -295,15 +296,17 @@ fn keep<T: Real>(ended: T::Mask, [a, b]: Ratios<T>, [c, d]: Ratios<T>) -> Ratios
     [T::select(ended, a, c), T::select(ended, b, d)]
 }
 
-/// Makes one sweep over all stages, in the lanes that are not `done`. The vector `spare` is overwritten.
+/// Makes one sweep over all stages, in the lanes that are not `done`. The results count as at least of the given sizes. The
+/// vector `spare` is overwritten.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn sweep<V: State>(
     done: MaskOf<V>,
+    size: BlockSizes<V>,
     k: &mut [V],
     spare: &mut V,
     mut derivative: impl FnMut(usize, &[V], &mut V),
 ) -> Progress<V> {
-    let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
+    let mut progress = Progress { change: BlockSizes::zero(), size };
     for i in 0..k.len() {
         // A local variable of a small type stays in registers.
         let mut local;

@@ -12,6 +12,7 @@ use crate::stages::branch::Branch;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::stages::newton::NewtonSpace;
+use crate::stages::terms::terms;
 use crate::sums::exact_combination::add_exactly;
 use crate::sums::halves::scale_evenly;
 use crate::{Equivariant, Increment, Scheme, StageSolver, Step, StepError, Tableau, VectorField};
@@ -87,7 +88,14 @@ impl RungeKutta {
             small.set_zero();
         }
         let mut spare = F::Point::take(pool, z);
-        let (tableau, h, scale) = (&self.tableau, T::from_f64(step), StageScale::new(z, step));
+        let (tableau, h, mut scale) = (&self.tableau, T::from_f64(step), StageScale::new(z, step));
+        memory.continue_to((z, step), &self.predictor, &field.stage_frame());
+        if T::HAS_SLOW_PATHS && memory.cancelling().any() {
+            field.at_into(z, &mut spare);
+            let terms = terms(field, (z, step), &spare);
+            let none = BlockSizes::zero();
+            scale = scale.with_terms(BlockSizes::select(memory.cancelling(), &terms, &none));
+        }
         let lanes = self.columns.as_ref().map(|columns| (columns, step, &scale, rows));
         let equations = Stages { tableau, field, z, h, small, pool, lanes };
         let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
@@ -103,6 +111,9 @@ impl RungeKutta {
                 if begins.and(unconverged.converged.not()).any() && step.is_finite() {
                     let problem = Branch { field, z, step, tableau, solver: &self.solver };
                     let outcome = problem.solve(&unconverged, &spare, k, newton);
+                    if outcome.is_ok() {
+                        memory.include_cancelling(unconverged.converged.not());
+                    }
                     // What the sweeps have found says more than that Newton's iteration finds nothing.
                     let found = unconverged.astray.any();
                     let outcome =

@@ -1,11 +1,11 @@
 //! The solution of stage equations to which short steps lead: [`Branch`].
 
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
-use crate::iteration::convergence::is_finite;
 use crate::iteration::lane_problem::Outcome;
 use crate::iteration::stage_scale::{Progress, Scale, StageScale};
 use crate::iteration::stage_solver::{NEWTON_ITERATIONS, Unconverged, fill_unless};
 use crate::stages::newton::{FieldOn, NewtonSpace, newton_step};
+use crate::stages::terms::terms;
 use crate::{StageSolver, StepError, Tableau};
 use lie_poisson::{Mask, Real, State};
 
@@ -17,12 +17,6 @@ const NEAR: f64 = 0.5;
 
 /// The relative distance within which two solutions are the same: half of the digits.
 const SAME: f64 = 1.0 / (1 << 26) as f64;
-
-/// The number whose multiples have fractional parts that are all different, and evenly spread.
-const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
-
-/// The longest chain of blocks, of which each drives the next alone, whose terms are measured.
-const CHAIN: usize = 4;
 
 /// The first part of a step to which the solution for no step is followed, and the least length of a part.
 const FIRST_PART: f64 = 0.25;
@@ -70,7 +64,7 @@ impl<V: State> Branch<'_, V> {
     ) -> Result<usize, StepError> {
         let done = sweeps.converged;
         fill_unless(done, k, rate);
-        let terms = self.terms(rate);
+        let terms = terms(self.field, (self.z, self.step), rate);
         let (outcome, [first, path]) = self.newton(1.0, NEWTON_ITERATIONS, done, &terms, k, space);
         let iterations = sweeps.iterations
             + match outcome {
@@ -180,34 +174,6 @@ impl<V: State> Branch<'_, V> {
         let scale = StageScale::new(self.z, self.step);
         let (change, size) = compare(&scale, &progress, terms);
         change.at_most(size * SAME)
-    }
-
-    /// Returns the sizes of the terms whose sums are the stage derivatives.
-    ///
-    /// The derivative of a block whose terms cancel is round-off, which differs by its own size from one solution to the
-    /// next. That of a block which such a block alone drives is round-off, too. A change of each coordinate by a small part
-    /// of its size, and of the size that the terms of its block give it in the step, changes X by that part of its terms.
-    fn terms(&self, rate: &V) -> BlockSizes<V> {
-        let start = BlockSizes::of(core::slice::from_ref(self.z));
-        let (mut moves, mut terms) = (start.clone(), BlockSizes::zero());
-        for _ in 0..CHAIN {
-            let mut moved = self.z.clone();
-            // No two coordinates change alike, so that no symmetry keeps sums that cancel.
-            let change = |i| SAME * (0.5 + 0.5 * f64::fract(GOLDEN_RATIO * i as f64));
-            moved.set_entries(|i| self.z.entry(i) + moves.at(self.z.block_of(i)) * change(i));
-            let mut value = rate.clone();
-            self.field.at_into(&moved, &mut value);
-            let mut response = BlockSizes::zero();
-            response.include_difference(&value, rate);
-            terms = BlockSizes::zero();
-            // The state may be at the edge of the domain of X.
-            let finite = is_finite(response.largest());
-            let response = BlockSizes::select(finite, &response, &terms);
-            terms.add_scaled(V::Scalar::from_f64(1.0 / SAME), &response);
-            moves = start.clone();
-            moves.add_scaled(V::Scalar::from_f64(self.step.abs()), &terms);
-        }
-        terms
     }
 }
 

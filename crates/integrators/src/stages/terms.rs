@@ -1,0 +1,48 @@
+//! The sizes of the terms whose sums are the derivatives of a state: [`terms`].
+
+use crate::iteration::block_sizes::BlockSizes;
+use crate::iteration::convergence::is_finite;
+use crate::stages::newton::FieldOn;
+use lie_poisson::{Real, State};
+
+/// The part of its size by which each coordinate is changed: half of the digits.
+const PART: f64 = 1.0 / (1 << 26) as f64;
+
+/// The number whose multiples have fractional parts that are all different, and evenly spread.
+const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
+
+/// The longest chain of blocks, of which each drives the next alone, whose terms are measured.
+const CHAIN: usize = 4;
+
+/// Returns the sizes of the terms whose sums are the derivatives in a step of the given size from z, where `rate` is X(z).
+///
+/// The derivative of a block whose terms cancel is round-off, which differs by its own size from one solution to the
+/// next. That of a block which such a block alone drives is round-off, too. A change of each coordinate by a small part
+/// of its size, and of the size that the terms of its block give it in the step, changes X by that part of its terms.
+#[cold]
+#[inline(never)]
+pub(crate) fn terms<V: State>(
+    field: &FieldOn<'_, V>,
+    (z, step): (&V, f64),
+    rate: &V,
+) -> BlockSizes<V> {
+    let start = BlockSizes::of(core::slice::from_ref(z));
+    let (mut moves, mut terms) = (start.clone(), BlockSizes::zero());
+    let (mut moved, mut value) = (z.clone(), rate.clone());
+    for _ in 0..CHAIN {
+        // No two coordinates change alike, so that no symmetry keeps sums that cancel.
+        let change = |i| PART * (0.5 + 0.5 * f64::fract(GOLDEN_RATIO * i as f64));
+        moved.set_entries(|i| z.entry(i) + moves.at(z.block_of(i)) * change(i));
+        field.at_into(&moved, &mut value);
+        let mut response = BlockSizes::zero();
+        response.include_difference(&value, rate);
+        terms = BlockSizes::zero();
+        // The state may be at the edge of the domain of X.
+        let finite = is_finite(response.largest());
+        let response = BlockSizes::select(finite, &response, &terms);
+        terms.add_scaled(V::Scalar::from_f64(1.0 / PART), &response);
+        moves = start.clone();
+        moves.add_scaled(V::Scalar::from_f64(step.abs()), &terms);
+    }
+    terms
+}
