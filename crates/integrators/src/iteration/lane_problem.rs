@@ -4,7 +4,7 @@ use crate::StageSolver;
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::Ratios;
 use crate::iteration::stage_rows::{StageColumns, StageRow, StageRows, WIDTH};
-use crate::iteration::stage_scale::{Progress, Scale, StageScale};
+use crate::iteration::stage_scale::{Progress, StageScale};
 use crate::iteration::stage_solver::Unconverged;
 use core::hint::black_box;
 use lie_poisson::{Lanes, Mask, Real, State, Vector};
@@ -36,7 +36,6 @@ impl<V: State> LaneProblem<'_, V> {
         self.write_rows();
         let Self { columns, solver, scale, z, step, pace, rows, .. } = self;
         let sweep = Sweep { columns, z: *z, step: *step };
-        let least = scale.least();
         let (none, whole) = (Mask::from_bool(false), Mask::from_bool(columns.low.is_none()));
         let outcome = solver.iterate(
             solver.max_iterations,
@@ -48,12 +47,8 @@ impl<V: State> LaneProblem<'_, V> {
                 // Each number is broadcast from memory, which costs nothing. Without the black box the compiler would
                 // take it from the registers in which it was computed, which costs shuffles.
                 let rows = black_box(&mut **rows);
-                let size = BlockSizes::from_parts(
-                    #[inline(always)]
-                    |b| T::from_f64(number(least.at(b))),
-                    T::zero(),
-                );
-                let mut progress = Progress { change: BlockSizes::zero(), size };
+                let mut progress =
+                    Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
                 for block in 0..S.div_ceil(T::COUNT) {
                     sweep.advance::<T, W, S>(&field, near.any(), block, rows, &mut progress);
                 }

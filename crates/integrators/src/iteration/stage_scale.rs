@@ -17,15 +17,11 @@ use lie_poisson::{Mask, Real, State};
 /// so that units do not matter. If k_b is small by cancellation, no more digits are required than it has. A block that
 /// starts at zero is compared with its own derivative alone. The least rate 2⁻²⁰/h is that of changes far below the
 /// round-off of z. It matters where every other block moves by more than its own size, as along a fibre.
-///
-/// Where blocks are known to be round-off of larger terms, the size |k_b| is at least that of the terms.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StageScale<V: State> {
     start: BlockSizes<V>,
     /// The reciprocals 1/|z_b|, or 0 for a block that starts at zero.
     inverse: BlockSizes<V>,
-    /// The sizes of the terms whose sums are the derivatives, or zero where they are not known.
-    terms: BlockSizes<V>,
     length: f64,
     /// The least rate at which blocks count as moving.
     least_rate: f64,
@@ -45,9 +41,6 @@ pub(crate) struct Progress<V: State> {
 
 /// A scale with which the changes of an iteration for stage equations are compared.
 pub(crate) trait Scale<V: State> {
-    /// Returns the least sizes of the results.
-    fn least(&self) -> BlockSizes<V>;
-
     /// Returns a change, and the size with which it is to be compared.
     fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar);
 
@@ -60,11 +53,6 @@ pub(crate) trait Scale<V: State> {
 pub(crate) struct OwnScale;
 
 impl<V: State> Scale<V> for OwnScale {
-    #[inline(always)]
-    fn least(&self) -> BlockSizes<V> {
-        BlockSizes::zero()
-    }
-
     #[inline(always)]
     fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
         compare_by(
@@ -121,21 +109,11 @@ impl<V: State> StageScale<V> {
     pub(crate) fn new(z: &V, step: f64) -> Self {
         let start = BlockSizes::of(core::slice::from_ref(z));
         let (length, least_rate) = (step.abs(), (LEAST_RATE / step.abs()).min(f64::MAX));
-        Self { inverse: start.inverse(), start, terms: BlockSizes::zero(), length, least_rate }
-    }
-
-    /// Returns the scales of a step whose derivatives are sums of terms of the given sizes.
-    pub(crate) fn with_terms(self, terms: BlockSizes<V>) -> Self {
-        Self { terms, ..self }
+        Self { inverse: start.inverse(), start, length, least_rate }
     }
 }
 
 impl<V: State> Scale<V> for StageScale<V> {
-    #[inline(always)]
-    fn least(&self) -> BlockSizes<V> {
-        self.terms.clone()
-    }
-
     #[inline(always)]
     fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
         let (zero, size) = (V::Scalar::from_f64(0.0), &progress.size);
@@ -163,6 +141,30 @@ impl<V: State> Scale<V> for StageScale<V> {
                 self.start.at(b).larger(moved) * (tolerance / self.length)
             },
         )
+    }
+}
+
+/// The scale of a step whose derivatives are sums of terms of known sizes: changes are compared with the terms, too.
+pub(crate) struct TermScale<'a, V: State> {
+    pub(crate) scale: &'a StageScale<V>,
+    pub(crate) terms: &'a BlockSizes<V>,
+}
+
+impl<V: State> TermScale<'_, V> {
+    fn with_terms(&self, progress: &Progress<V>) -> Progress<V> {
+        let mut progress = progress.clone();
+        progress.size.include_above(self.terms, |_| V::Scalar::from_f64(0.0));
+        progress
+    }
+}
+
+impl<V: State> Scale<V> for TermScale<'_, V> {
+    fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
+        self.scale.compare(&self.with_terms(progress))
+    }
+
+    fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V> {
+        self.scale.accepts(&self.with_terms(progress), tolerance)
     }
 }
 

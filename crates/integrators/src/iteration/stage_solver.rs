@@ -75,6 +75,28 @@ pub struct Unconverged<M> {
     pub error: StepError,
 }
 
+impl<M: Mask> Unconverged<M> {
+    /// Returns the error of an iteration that has not been made.
+    pub(crate) fn before() -> Self {
+        let none = M::from_bool(false);
+        let error = StepError::NotConverged { residual: f64::NAN, required: FLOOR, iterations: 0 };
+        Self { converged: none, astray: none, iterations: 0, error }
+    }
+
+    /// Returns the outcome of an iteration whose results in some lanes do not count.
+    pub(crate) fn unless(outcome: Result<usize, Self>, lanes: M) -> Result<usize, Self> {
+        let (made, others) = (Self::before(), lanes.not());
+        Err(match outcome {
+            Ok(iterations) => Self { converged: others, iterations, ..made },
+            Err(failed) => Self {
+                converged: failed.converged.and(others),
+                astray: failed.astray.and(others),
+                ..failed
+            },
+        })
+    }
+}
+
 /// Converts the error as if no lane had converged.
 impl<M> From<Unconverged<M>> for StepError {
     fn from(unconverged: Unconverged<M>) -> Self {
@@ -200,7 +222,6 @@ impl StageSolver {
             |done, near| {
                 sweep(
                     done,
-                    scale.least(),
                     k,
                     spare,
                     #[inline(always)]
@@ -296,17 +317,15 @@ fn keep<T: Real>(ended: T::Mask, [a, b]: Ratios<T>, [c, d]: Ratios<T>) -> Ratios
     [T::select(ended, a, c), T::select(ended, b, d)]
 }
 
-/// Makes one sweep over all stages, in the lanes that are not `done`. The results count as at least of the given sizes. The
-/// vector `spare` is overwritten.
+/// Makes one sweep over all stages, in the lanes that are not `done`. The vector `spare` is overwritten.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn sweep<V: State>(
+pub(crate) fn sweep<V: State>(
     done: MaskOf<V>,
-    size: BlockSizes<V>,
     k: &mut [V],
     spare: &mut V,
     mut derivative: impl FnMut(usize, &[V], &mut V),
 ) -> Progress<V> {
-    let mut progress = Progress { change: BlockSizes::zero(), size };
+    let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
     for i in 0..k.len() {
         // A local variable of a small type stays in registers.
         let mut local;

@@ -208,7 +208,6 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
             field.at_into(&point, value);
         };
         let scale = StageScale::new(z, step);
-        memory.continue_to((z, step), &self.predictor, &field.stage_frame());
         let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
         let solved = memory.solve(&self.predictor, &self.solver, field, from, unknowns, derivative);
         spare.give(pool);

@@ -5,14 +5,13 @@ use crate::iteration::convergence::{Ratios, is_finite};
 use crate::iteration::lane_problem::{LaneProblem, Outcome};
 use crate::iteration::stage_rows::{StageColumns, StageRows};
 use crate::iteration::stage_scale::StageScale;
-use crate::iteration::stage_solver::{StageEquations, fit, set_combination};
+use crate::iteration::stage_solver::{StageEquations, Unconverged, fit, set_combination};
 use crate::schemes::explicit_step::four_stages;
 use crate::schemes::refinement::Refinement;
 use crate::stages::branch::Branch;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::stages::newton::NewtonSpace;
-use crate::stages::terms::terms;
 use crate::sums::exact_combination::add_exactly;
 use crate::sums::halves::scale_evenly;
 use crate::{Equivariant, Increment, Scheme, StageSolver, Step, StepError, Tableau, VectorField};
@@ -88,18 +87,21 @@ impl RungeKutta {
             small.set_zero();
         }
         let mut spare = F::Point::take(pool, z);
-        let (tableau, h, mut scale) = (&self.tableau, T::from_f64(step), StageScale::new(z, step));
-        memory.continue_to((z, step), &self.predictor, &field.stage_frame());
-        if T::HAS_SLOW_PATHS && memory.cancelling().any() {
-            field.at_into(z, &mut spare);
-            let terms = terms(field, (z, step), &spare);
-            let none = BlockSizes::zero();
-            scale = scale.with_terms(BlockSizes::select(memory.cancelling(), &terms, &none));
-        }
+        let (tableau, h, scale) = (&self.tableau, T::from_f64(step), StageScale::new(z, step));
         let lanes = self.columns.as_ref().map(|columns| (columns, step, &scale, rows));
         let equations = Stages { tableau, field, z, h, small, pool, lanes };
         let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
-        let solved = memory.solve(&self.predictor, &self.solver, field, from, unknowns, equations);
+        // A lane gives the same bits alone, whatever the sweeps of the others have found.
+        let cancelling = memory.cancelling();
+        let solved = if T::HAS_SLOW_PATHS && cancelling.all() {
+            Err(Unconverged::before())
+        } else {
+            memory.solve(&self.predictor, &self.solver, field, from, unknowns, equations)
+        };
+        let solved = match T::HAS_SLOW_PATHS && cancelling.any() {
+            true => Unconverged::unless(solved, cancelling),
+            false => solved,
+        };
         let outcome = match solved {
             Err(unconverged)
                 if T::HAS_SLOW_PATHS && self.solver.newton && newton.allows(k.len(), z) =>
@@ -110,10 +112,8 @@ impl RungeKutta {
                 let begins = is_finite(BlockSizes::of(core::slice::from_ref(&spare)).largest());
                 if begins.and(unconverged.converged.not()).any() && step.is_finite() {
                     let problem = Branch { field, z, step, tableau, solver: &self.solver };
-                    let outcome = problem.solve(&unconverged, &spare, k, newton);
-                    if outcome.is_ok() {
-                        memory.include_cancelling(unconverged.converged.not());
-                    }
+                    let (outcome, cancelling) = problem.solve(&unconverged, &spare, k, newton);
+                    memory.include_cancelling(cancelling);
                     // What the sweeps have found says more than that Newton's iteration finds nothing.
                     let found = unconverged.astray.any();
                     let outcome =

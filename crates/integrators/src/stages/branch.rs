@@ -1,11 +1,14 @@
 //! The solution of stage equations to which short steps lead: [`Branch`].
 
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
+use crate::iteration::convergence::unknown;
 use crate::iteration::lane_problem::Outcome;
-use crate::iteration::stage_scale::{Progress, Scale, StageScale};
-use crate::iteration::stage_solver::{NEWTON_ITERATIONS, Unconverged, fill_unless};
+use crate::iteration::stage_scale::{Progress, Scale, StageScale, TermScale};
+use crate::iteration::stage_solver::{
+    NEWTON_ITERATIONS, Unconverged, fill_unless, set_combination, sweep,
+};
 use crate::stages::newton::{FieldOn, NewtonSpace, newton_step};
-use crate::stages::terms::terms;
+use crate::stages::terms::{cancels, terms};
 use crate::{StageSolver, StepError, Tableau};
 use lie_poisson::{Mask, Real, State};
 
@@ -45,8 +48,59 @@ pub(crate) struct Branch<'a, V: State> {
 }
 
 impl<V: State> Branch<'_, V> {
-    /// Solves the equations of the step by Newton's iteration from k_i = `rate`, which is X(z), in the lanes in which the
-    /// sweeps have not converged. Returns the number of all iterations.
+    /// Solves the equations of the step from k_i = `rate`, which is X(z), in the lanes in which the sweeps have not
+    /// converged. Returns the number of all iterations, and the lanes in which blocks are round-off of larger terms, so that
+    /// sweeps converge by the sizes of these terms alone. The others need Newton's iteration.
+    ///
+    /// # Errors
+    /// Returns the errors of [`solve_by_newton`](Self::solve_by_newton).
+    pub(crate) fn solve(
+        &self,
+        sweeps: &Unconverged<MaskOf<V>>,
+        rate: &V,
+        k: &mut [V],
+        space: &mut NewtonSpace<V::Scalar>,
+    ) -> (Result<usize, StepError>, MaskOf<V>) {
+        let terms = terms(self.field, (self.z, self.step), rate);
+        let (mut done, mut made) = (sweeps.converged, sweeps.iterations);
+        let cancels = cancels(&terms, rate).and(done.not());
+        let mut found = cancels;
+        if cancels.any() {
+            fill_unless(cancels.not(), k, rate);
+            made += match self.sweep(cancels.not(), &terms, k) {
+                Ok(iterations) => iterations,
+                Err(failed) => {
+                    found = failed.converged.and(cancels);
+                    failed.iterations
+                }
+            };
+            done = done.or(found);
+            if done.all() {
+                return (Ok(made), found);
+            }
+        }
+        (self.solve_by_newton((done, made), &terms, rate, k, space), found)
+    }
+
+    /// Sweeps from the guess in `k`, in the lanes that are not `done`. Changes are compared with the terms.
+    fn sweep(&self, done: MaskOf<V>, terms: &BlockSizes<V>, k: &mut [V]) -> Outcome<V> {
+        let scale = TermScale { scale: &StageScale::new(self.z, self.step), terms };
+        let (mut point, mut spare) = (self.z.zeros_like(), self.z.zeros_like());
+        let lanes = (done, MaskOf::<V>::from_bool(true));
+        let sweeps = self.solver.max_iterations;
+        self.solver.iterate(sweeps, lanes, &scale, &mut unknown(), |done, _| {
+            sweep(done, k, &mut spare, |i, k, value| {
+                set_combination(&mut point, self.tableau.row_low(i), k);
+                point.add_combination(self.tableau.row(i), k);
+                point.scale_in_place(V::Scalar::from_f64(self.step));
+                point.add_in_place(self.z);
+                self.field.at_into(&point, value);
+            })
+        })
+    }
+
+    /// Solves the equations of the step by Newton's iteration from k_i = `rate`, in the lanes that are not `done`. Returns
+    /// the number of its iterations and of those that were `made` before.
     ///
     /// If the iteration does not contract at once, and goes far, its solution is compared with that to which short steps
     /// lead, relative to the terms whose sums are the stage derivatives. It is not replaced by that, whose last bits depend
@@ -55,18 +109,17 @@ impl<V: State> Branch<'_, V> {
     /// # Errors
     /// Returns the error of the iteration, or [`StepError::OtherSolution`] if short steps are not seen to lead to its
     /// solution.
-    pub(crate) fn solve(
+    fn solve_by_newton(
         &self,
-        sweeps: &Unconverged<MaskOf<V>>,
+        (done, made): (MaskOf<V>, usize),
+        terms: &BlockSizes<V>,
         rate: &V,
         k: &mut [V],
         space: &mut NewtonSpace<V::Scalar>,
     ) -> Result<usize, StepError> {
-        let done = sweeps.converged;
         fill_unless(done, k, rate);
-        let terms = terms(self.field, (self.z, self.step), rate);
-        let (outcome, [first, path]) = self.newton(1.0, NEWTON_ITERATIONS, done, &terms, k, space);
-        let iterations = sweeps.iterations
+        let (outcome, [first, path]) = self.newton(1.0, NEWTON_ITERATIONS, done, terms, k, space);
+        let iterations = made
             + match outcome {
                 Ok(iterations) => iterations,
                 Err(far) if far.converged.or(far.astray).all() => far.iterations,
@@ -77,8 +130,8 @@ impl<V: State> Branch<'_, V> {
         if done.all() {
             return Ok(iterations);
         }
-        match self.follow(done, &terms, rate, space) {
-            Some(followed) if self.equal(&terms, k, &followed).or(done).all() => Ok(iterations),
+        match self.follow(done, terms, rate, space) {
+            Some(followed) if self.equal(terms, k, &followed).or(done).all() => Ok(iterations),
             _ => {
                 let distance = V::Scalar::select(done, V::Scalar::from_f64(0.0), path).max_abs();
                 Err(StepError::OtherSolution { distance })
@@ -102,7 +155,7 @@ impl<V: State> Branch<'_, V> {
         let (mut first, mut path) = (None, V::Scalar::from_f64(0.0));
         let outcome = self.solver.newton(most, done, &scale, k, |done, k| {
             let progress = newton_step(self.field, (z, step), self.tableau, done, k, space);
-            let (change, size) = compare(&scale, &progress, terms);
+            let (change, size) = TermScale { scale: &scale, terms }.compare(&progress);
             // At an equilibrium both are 0.
             let relative = V::Scalar::select(
                 size.at_most(V::Scalar::from_f64(0.0)),
@@ -171,21 +224,10 @@ impl<V: State> Branch<'_, V> {
         for (k, other) in k.iter().zip(other) {
             progress.change.include_difference(k, other);
         }
-        let scale = StageScale::new(self.z, self.step);
-        let (change, size) = compare(&scale, &progress, terms);
+        let scale = TermScale { scale: &StageScale::new(self.z, self.step), terms };
+        let (change, size) = scale.compare(&progress);
         change.at_most(size * SAME)
     }
-}
-
-/// Returns a change, and the size with which it is to be compared, which is at least that of the terms.
-fn compare<V: State>(
-    scale: &StageScale<V>,
-    progress: &Progress<V>,
-    terms: &BlockSizes<V>,
-) -> (V::Scalar, V::Scalar) {
-    let mut progress = progress.clone();
-    progress.size.include_above(terms, |_| V::Scalar::from_f64(0.0));
-    scale.compare(&progress)
 }
 
 #[cfg(test)]

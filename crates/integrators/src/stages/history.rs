@@ -33,7 +33,7 @@ pub(crate) struct StageHistory<V: State> {
     /// The end of the last step, and the ratios of changes in its iteration.
     end: Option<V>,
     pace: Ratios<V::Scalar>,
-    /// The lanes in which blocks of the derivatives may be round-off of larger terms.
+    /// The lanes in which blocks of the derivatives are round-off of larger terms.
     cancelling: MaskOf<V>,
 }
 
@@ -63,8 +63,7 @@ impl<V: State> StageHistory<V> {
         self.cancelling = MaskOf::<V>::from_bool(false);
     }
 
-    /// Returns the lanes in which blocks of the derivatives may be round-off of larger terms: the sweeps did not converge in
-    /// an earlier step, and Newton's iteration did, by the sizes of the terms.
+    /// Returns the lanes in which blocks of the derivatives are round-off of larger terms, so that sweeps do not converge.
     #[inline(always)]
     pub(crate) fn cancelling(&self) -> MaskOf<V> {
         self.cancelling
@@ -78,8 +77,8 @@ impl<V: State> StageHistory<V> {
     /// Solves for the stage derivatives k of a step of the given size from z by fixed-point iteration, and remembers
     /// them. Returns the number of iterations.
     ///
-    /// The memory has [continued](Self::continue_to) to the step. The iteration starts from a prediction if there is one.
-    /// Otherwise, or if that fails, it starts from X(z). The vector `spare` is overwritten.
+    /// The iteration starts from a prediction if there is one. Otherwise, or if that fails, it starts from X(z). The
+    /// vector `spare` is overwritten.
     ///
     /// # Errors
     /// Returns [`Unconverged`] if the iteration fails in some lane. Nothing is remembered in such a lane.
@@ -94,6 +93,7 @@ impl<V: State> StageHistory<V> {
         mut equations: impl StageEquations<V>,
     ) -> Result<usize, Unconverged<MaskOf<V>>> {
         let frame = field.stage_frame();
+        self.keep_where(z, size, predictor, &frame);
         let guessed = self.guess(predictor, &frame, k, spare);
         if !guessed.all() {
             begin(field, z, guessed, (k, spare));
@@ -140,12 +140,7 @@ impl<V: State> StageHistory<V> {
     /// Forgets all steps in lanes where a step does not continue from the memory, or everywhere if the memory comes
     /// from another method.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn continue_to(
-        &mut self,
-        (z, size): (&V, f64),
-        predictor: &Predictor,
-        frame: &impl StageFrame<V>,
-    ) {
+    fn keep_where(&mut self, z: &V, size: f64, predictor: &Predictor, frame: &impl StageFrame<V>) {
         let room = 2 * predictor.capacity();
         let moved = self.past.first().is_some_and(|past| !past.same_shape(z));
         if self.past.len() != room || self.stages != predictor.stages || moved {

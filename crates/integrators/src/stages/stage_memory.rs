@@ -6,7 +6,7 @@ use crate::iteration::stage_scale::OwnScale;
 use crate::iteration::stage_solver::StageEquations;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
-use crate::{StageSolver, Unconverged, VectorField, from_fn};
+use crate::{StageSolver, Unconverged, from_fn};
 use lie_poisson::{Mask, Real, State};
 
 /// The memory of earlier steps for an integrator that has its own stage equations k_i = f_i(k).
@@ -77,7 +77,6 @@ impl<V: State> StageMemory<V> {
         let mut stage = ByValue(stage);
         let solved = if k.len() == self.predictor.stages {
             let (field, from) = (from_fn(|_: &V| first()), (z, step, &OwnScale));
-            self.memory.continue_to((z, step), &self.predictor, &field.stage_frame());
             self.memory.solve(&self.predictor, solver, &field, from, (k, &mut spare), stage)
         } else {
             self.memory.forget();

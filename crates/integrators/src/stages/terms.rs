@@ -1,9 +1,9 @@
-//! The sizes of the terms whose sums are the derivatives of a state: [`terms`].
+//! The sizes of the terms whose sums are the derivatives of a state: [`terms`], and where they cancel: [`cancels`].
 
-use crate::iteration::block_sizes::BlockSizes;
+use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::is_finite;
 use crate::stages::newton::FieldOn;
-use lie_poisson::{Real, State};
+use lie_poisson::{Mask, Real, State};
 
 /// The part of its size by which each coordinate is changed: half of the digits.
 const PART: f64 = 1.0 / (1 << 26) as f64;
@@ -13,6 +13,9 @@ const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
 
 /// The longest chain of blocks, of which each drives the next alone, whose terms are measured.
 const CHAIN: usize = 4;
+
+/// The size of a derivative, relative to its terms, below which they cancel.
+const CANCELLED: f64 = 1.0 / 1024.0;
 
 /// Returns the sizes of the terms whose sums are the derivatives in a step of the given size from z, where `rate` is X(z).
 ///
@@ -45,4 +48,10 @@ pub(crate) fn terms<V: State>(
         moves.add_scaled(V::Scalar::from_f64(step.abs()), &terms);
     }
     terms
+}
+
+/// Returns the lanes in which a block of the derivatives is small because its terms cancel.
+pub(crate) fn cancels<V: State>(terms: &BlockSizes<V>, rate: &V) -> MaskOf<V> {
+    let sizes = BlockSizes::of(core::slice::from_ref(rate));
+    terms.at_most(|block| sizes.at(block) * (1.0 / CANCELLED)).not()
 }
