@@ -32,8 +32,8 @@
 //! | the coordinates of a state by their names | [`SystemAlgebra::state`] |
 //! | a Hamiltonian on it as text, and the Casimirs | [`FormulaSystem`] |
 //! | a formulation and a scheme for it | [`SystemMethod`] |
+//! | the integrator of both | [`SystemMethod::integrator`] |
 //! | a Poincaré section on a level set of h and the Casimirs | [`SystemSection`] |
-//! | what to do with the integrator | [`SystemTask`] |
 //! | the reason why something is rejected | [`FormulaSystemError`], [`StructureTableError`] |
 //!
 //! # Conventions
@@ -66,7 +66,6 @@ pub use algebras::structure_table::{StructureTableError, structure_table};
 pub use algebras::system_algebra::SystemAlgebra;
 pub use error::FormulaSystemError;
 pub use methods::system_method::SystemMethod;
-pub use methods::system_task::SystemTask;
 pub use sections::system_section::SystemSection;
 pub use systems::formula_system::FormulaSystem;
 

@@ -107,6 +107,7 @@ mod splittings;
 mod runs;
 mod batch;
 mod chaos;
+mod erased;
 pub mod diagnostics;
 
 #[cfg(feature = "laws")]
@@ -138,6 +139,9 @@ pub use dual::state_is_momentum::StateIsMomentum;
 pub use dual::trajectories::integrator::{Integrator, SampleOf, Trajectory};
 pub use dual::trajectories::sample::Sample;
 pub use dual::trajectories::start::Start;
+pub use erased::{
+    AnyIntegrator, AnyStart, AnyState, AnySteps, AnyTangents, AnyWorkspace, ByPointer,
+};
 pub use error::{IntegrationError, RunError, SchemeError, StepError};
 pub use runs::crossing::Direction;
 pub use runs::dense_output::{DenseOutput, DenseOutputError};

@@ -18,28 +18,29 @@ use lie_poisson::{BlockScales, State, larger};
 ///
 /// If the unit of a block is divided by a number, its scale is multiplied by that number.
 pub(crate) fn natural_scales<V: State<Scalar = f64>>(
+    blocks: usize,
     sizes: &BlockScales<V>,
     coupling: impl Fn(usize, usize) -> f64,
 ) -> BlockScales<V> {
-    let pairs = || (0..V::BLOCKS).flat_map(|a| (0..=a).map(move |b| (a, b)));
+    let pairs = || (0..blocks).flat_map(|a| (0..=a).map(move |b| (a, b)));
     // The roots are taken one by one, since units may overflow in a product.
     let mutual = |(a, b): (usize, usize)| coupling(a, b).sqrt() * coupling(b, a).sqrt();
-    let fastest = larger(pairs().map(mutual).fold(0.0, larger), longer_cycles::<V>(&coupling));
+    let fastest = larger(pairs().map(mutual).fold(0.0, larger), longer_cycles(blocks, &coupling));
     let rate = if fastest > 0.0 && fastest.is_finite() { fastest } else { 1.0 };
     let mut scales = *sizes;
     // As many rounds as there are blocks carry a scale from each to each.
-    for _ in 0..V::BLOCKS {
-        for a in 0..V::BLOCKS {
-            let inflow = (0..V::BLOCKS).map(|b| coupling(a, b) * scales.at(b) / rate);
+    for _ in 0..blocks {
+        for a in 0..blocks {
+            let inflow = (0..blocks).map(|b| coupling(a, b) * scales.at(b) / rate);
             scales.set(a, inflow.fold(scales.at(a), larger));
         }
     }
-    while let Some(zero) = (0..V::BLOCKS).find(|&block| !is_scale(scales.at(block))) {
+    while let Some(zero) = (0..blocks).find(|&block| !is_scale(scales.at(block))) {
         let influence = |b: usize| {
-            let outflow = (0..V::BLOCKS).map(|a| rate * scales.at(a) / coupling(a, b));
+            let outflow = (0..blocks).map(|a| rate * scales.at(a) / coupling(a, b));
             outflow.filter(|&scale| is_scale(scale)).reduce(f64::min)
         };
-        let next = (zero..V::BLOCKS).filter(|&block| !is_scale(scales.at(block)));
+        let next = (zero..blocks).filter(|&block| !is_scale(scales.at(block)));
         let found = next.clone().find_map(|block| Some((block, influence(block)?)));
         let (block, scale) = found.unwrap_or((zero, 1.0));
         scales.set(block, scale);
@@ -50,8 +51,7 @@ pub(crate) fn natural_scales<V: State<Scalar = f64>>(
 /// Returns the largest geometric mean of the couplings along a closed path of three blocks or more, or 0 without one.
 ///
 /// Logarithms are added, since units may overflow in a product.
-fn longer_cycles<V: State>(coupling: &impl Fn(usize, usize) -> f64) -> f64 {
-    let blocks = V::BLOCKS;
+fn longer_cycles(blocks: usize, coupling: &impl Fn(usize, usize) -> f64) -> f64 {
     let logarithm = |a, b| coupling(a, b).ln();
     let mut paths: Vec<f64> =
         (0..blocks * blocks).map(|n| logarithm(n / blocks, n % blocks)).collect();
@@ -90,7 +90,7 @@ mod tests {
     /// Returns the scales for sizes and couplings in units of u.
     fn scales(sizes: [f64; 3], couplings: [[f64; 3]; 3], u: [f64; 3]) -> [f64; 3] {
         let sizes = point([0, 1, 2].map(|a| sizes[a] * u[a]));
-        let scales = natural_scales(&sizes, |a, b| couplings[a][b] * u[a] / u[b]);
+        let scales = natural_scales(3, &sizes, |a, b| couplings[a][b] * u[a] / u[b]);
         [0, 1, 2].map(|a| scales.at(a) / u[a])
     }
 

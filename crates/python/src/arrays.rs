@@ -20,6 +20,11 @@ pub(crate) fn state([a, b, c, x, y, z]: [f64; 6]) -> Se3Dual {
     Se3Dual::new(Vector3::new(a, b, c), Vector3::new(x, y, z))
 }
 
+/// Returns the state (Π, Γ) of a run.
+pub(crate) fn state_of(momentum: &[f64]) -> Se3Dual {
+    momentum.first_chunk().map_or_else(|| state([f64::NAN; 6]), |numbers| state(*numbers))
+}
+
 /// Returns the six numbers of a state (Π, Γ).
 pub(crate) fn numbers(Covector(Pair(pi, gamma)): &Se3Dual) -> [f64; 6] {
     [pi.x, pi.y, pi.z, gamma.x, gamma.y, gamma.z]

@@ -1,14 +1,12 @@
 //! Long runs by Clebsch maps: each is right to the order of its method, or ends with an error.
 
-use collective_integrators::{
-    Collective, Direct, HamiltonianField, RunError, RungeKutta, Start, TangentIntegrator,
-};
+use collective_integrators::{AnyState, Collective, Direct, HamiltonianField, RungeKutta, Start};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::{
     Automatic, Covector, Energy, LiePoisson, Real, Representation, StructureConstants, Vector,
     larger,
 };
-use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod, SystemTask};
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
 use lie_poisson_formulas::{Coordinates, Parameters, StructureEntry};
 use momentum_map::{PoissonMap, Side, clebsch_realisation};
 use nalgebra::SVector;
@@ -168,21 +166,6 @@ fn long_runs_on_every_algebra_are_right_or_stop() {
     assert!(runs.made == 3720 && runs.failed < 10, "{}", runs.failed);
 }
 
-/// A hundred steps of 1/10 from a state.
-struct HundredSteps<'a>(&'a [f64]);
-
-impl SystemTask for HundredSteps<'_> {
-    type Output = Result<(), RunError>;
-
-    fn perform<I>(self, integrator: &I) -> Self::Output
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    {
-        let start = Vector::from_coordinates(|i| self.0.get(i).copied().unwrap_or(0.0));
-        integrator.after(&start, 0.1, 100).map(drop)
-    }
-}
-
 /// The runs of systems from formulas, whose steps are refused if they lose h or a Casimir.
 struct Guarded;
 
@@ -206,8 +189,8 @@ impl Check for Guarded {
         let system = FormulaSystem::new(algebra, &hamiltonian, &Parameters::new()).unwrap();
         let system = system.with_found_casimirs().unwrap();
         for start in samples::<Momentum<N>>(3) {
-            let task = HundredSteps(start.0.as_slice());
-            let run = method.integrate(&system, start.0.as_slice(), task).unwrap();
+            let integrator = method.integrator(&system, start.0.as_slice()).unwrap();
+            let run = integrator.after(&AnyState::of(&start), 0.1, 100).map(drop);
             run.unwrap_or_else(|error| panic!("{}, {}: {error}", entry.name, start.0));
         }
     }

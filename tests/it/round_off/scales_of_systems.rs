@@ -2,11 +2,11 @@
 
 use collective_integrators::diagnostics::{InvariantSize, reversibility_defect};
 use collective_integrators::{
-    Integrator, Megno, Start, TangentIntegrator, VariationalFlow, smaller_alignment_index,
+    AnyIntegrator, AnyState, AnyTangents, Megno, Start, VariationalFlow, smaller_alignment_index,
 };
 use heavytop::methods::{Formulation, SchemeName};
-use lie_poisson::{Vector, larger};
-use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod, SystemTask};
+use lie_poisson::larger;
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
 use lie_poisson_formulas::Parameters;
 use std::error::Error;
 use workspace_tests::scales::Units;
@@ -30,56 +30,46 @@ fn body(units: Units) -> Outcome<(FormulaSystem, Vec<f64>)> {
     Ok((system.with_found_casimirs()?, pi.into_iter().chain(gamma).collect()))
 }
 
-/// The task of measuring a run: MEGNO, the growth of a tangent vector, SALI, and the logarithms of the defect of a step
-/// forwards and back and of the relative deviations of the invariants.
-struct Measure<'a> {
-    system: &'a FormulaSystem,
-    start: &'a [f64],
+/// Measures a run: MEGNO, the growth of a tangent vector, SALI, and the logarithms of the defect of a step forwards and back
+/// and of the relative deviations of the invariants.
+fn run(
+    integrator: &AnyIntegrator<dyn AnyTangents>,
+    system: &FormulaSystem,
+    start: &[f64],
     step: f64,
-}
-
-impl SystemTask for Measure<'_> {
-    type Output = Outcome<Vec<f64>>;
-
-    fn perform<I>(self, integrator: &I) -> Self::Output
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    {
-        let Self { system, start, step } = self;
-        let mu = Vector::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));
-        let state = Start::<f64>::start(integrator, &mu)?;
-        let dimension = <<I as Integrator>::State as Vector>::DIM;
-        let mut flow = VariationalFlow::<_, 2>::generic(integrator, state, dimension, step);
-        let (mut megno, mut growth) = (Megno::default(), 0.0);
-        let blocks = || system.algebra().coordinates().groups().map(|(_, places)| places);
-        let invariants: Vec<_> =
-            std::iter::once(system.hamiltonian()).chain(system.casimirs()).collect();
-        let mut sizes = vec![InvariantSize::new(blocks()); invariants.len()];
-        let (initial, mut deviations) = (system.invariants(start)?, vec![0.0; invariants.len()]);
-        flow.normalise()?;
-        for _ in 0..20 {
-            flow.advance()?;
-            let [stretch, _] = flow.normalise()?;
-            megno.observe(stretch);
-            growth += stretch.ln();
-            let momentum = flow.momentum();
-            let here: Vec<f64> = (0..start.len()).map(|i| momentum.coordinate(i)).collect();
-            for (size, invariant) in sizes.iter_mut().zip(&invariants) {
-                size.include(&here, &invariant.differential_at(&here));
-            }
-            let values = system.invariants(&here)?;
-            for ((most, value), initial) in deviations.iter_mut().zip(values).zip(&initial) {
-                *most = larger(*most, (value - initial).abs());
-            }
+) -> Outcome<Vec<f64>> {
+    let state = integrator.start(&AnyState::from_slice(start))?;
+    let dimension = integrator.state_dimension();
+    let mut flow = VariationalFlow::<_, 2>::generic(integrator, state.clone(), dimension, step);
+    let (mut megno, mut growth) = (Megno::default(), 0.0);
+    let blocks = || system.algebra().coordinates().groups().map(|(_, places)| places);
+    let invariants: Vec<_> =
+        std::iter::once(system.hamiltonian()).chain(system.casimirs()).collect();
+    let mut sizes = vec![InvariantSize::new(blocks()); invariants.len()];
+    let (initial, mut deviations) = (system.invariants(start)?, vec![0.0; invariants.len()]);
+    flow.normalise()?;
+    for _ in 0..20 {
+        flow.advance()?;
+        let [stretch, _] = flow.normalise()?;
+        megno.observe(stretch);
+        growth += stretch.ln();
+        let momentum = flow.momentum();
+        let here = momentum.as_slice();
+        for (size, invariant) in sizes.iter_mut().zip(&invariants) {
+            size.include(here, &invariant.differential_at(here));
         }
-        let defect = reversibility_defect::<f64, _>(integrator, &state, 2.0 * step)?;
-        let mut found = vec![megno.mean(), growth, smaller_alignment_index(&flow.directions()?)];
-        // What a method conserves is round-off.
-        let level = |defect: f64| larger(defect, 1e-11).ln();
-        found.push(level(defect));
-        found.extend(sizes.iter().zip(deviations).map(|(size, drift)| level(size.relative(drift))));
-        Ok(found)
+        let values = system.invariants(here)?;
+        for ((most, value), initial) in deviations.iter_mut().zip(values).zip(&initial) {
+            *most = larger(*most, (value - initial).abs());
+        }
     }
+    let defect = reversibility_defect::<f64, _>(integrator, &state, 2.0 * step)?;
+    let mut found = vec![megno.mean(), growth, smaller_alignment_index(&flow.directions()?)];
+    // What a method conserves is round-off.
+    let level = |defect: f64| larger(defect, 1e-11).ln();
+    found.push(level(defect));
+    found.extend(sizes.iter().zip(deviations).map(|(size, drift)| level(size.relative(drift))));
+    Ok(found)
 }
 
 /// Returns what is measured of the body, then what is estimated and checked of its run.
@@ -90,8 +80,7 @@ fn measured(formulation: Formulation, units: Units) -> Outcome<Vec<f64>> {
         _ => SchemeName::Rk4,
     };
     let method = SystemMethod::new(system.algebra(), formulation, scheme, 0.0)?;
-    let task = Measure { system: &system, start: &start, step };
-    let mut found = method.integrate(&system, &start, task)??;
+    let mut found = run(&method.integrator(&system, &start)?, &system, &start, step)?;
     let accuracy = method.accuracy(&system, &start, (step, 40), &|| true)?;
     found.extend([accuracy.angle, accuracy.error.ok_or("no estimate")?.ln()]);
     let check = method.check(&system, &start, (step, 40), &|| true)??.ok_or("told to end")?;

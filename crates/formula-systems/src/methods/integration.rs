@@ -3,12 +3,11 @@
 use super::clebsch_maps::{adjoint_map, coadjoint_map};
 use super::invariant_guard::InvariantGuard;
 use super::offers::refusal;
-use super::system_task::SystemTask;
 use crate::algebras::system_algebra::Family;
 use crate::{FormulaSystem, FormulaSystemError};
 use collective_integrators::{
-    Collective, Composition, Direct, Equivariant, HamiltonianField, LiftFree, RungeKutta,
-    StageSolver,
+    AnyIntegrator, AnyTangents, ByPointer, Collective, Composition, Direct, Equivariant,
+    HamiltonianField, LiftFree, RungeKutta, StageSolver, Start, TangentIntegrator,
 };
 use heavytop::SpinorRealisation;
 use heavytop::methods::{Formulation, MethodError, SchemeName};
@@ -25,69 +24,74 @@ pub(super) struct Integration<'a> {
     pub(super) start: &'a [f64],
 }
 
-/// The result of a task.
-type Performed<K> = Result<<K as SystemTask>::Output, FormulaSystemError>;
+/// The integrator of a system.
+type Made = Result<AnyIntegrator<dyn AnyTangents>, FormulaSystemError>;
+
+/// A scheme that descends, for an integrator whose type is hidden.
+trait AnyScheme: Equivariant + Send + Sync + 'static {}
+
+impl<S: Equivariant + Send + Sync + 'static> AnyScheme for S {}
 
 impl Integration<'_> {
-    /// Performs a task with the integrator.
-    pub(super) fn perform<K: SystemTask>(&self, task: K) -> Performed<K> {
+    /// Makes the integrator.
+    pub(super) fn make(&self) -> Made {
         let scheme = self.scheme;
         let solver = StageSolver { tolerance: self.tolerance, ..StageSolver::default() };
         let midpoint = || RungeKutta::implicit_midpoint().with_solver(solver);
         let failed = |reason| MethodError::Scheme { scheme, reason };
         match scheme {
-            SchemeName::ImplicitMidpoint => self.with(midpoint(), task),
+            SchemeName::ImplicitMidpoint => self.with(midpoint()),
             SchemeName::Gauss(stages) => {
                 let gauss = RungeKutta::gauss(stages.into()).map_err(failed)?;
-                self.with(gauss.with_solver(solver), task)
+                self.with(gauss.with_solver(solver))
             }
-            SchemeName::ExplicitMidpoint => self.with(RungeKutta::explicit_midpoint(), task),
-            SchemeName::Rk4 => self.with(RungeKutta::rk4(), task),
+            SchemeName::ExplicitMidpoint => self.with(RungeKutta::explicit_midpoint()),
+            SchemeName::Rk4 => self.with(RungeKutta::rk4()),
             SchemeName::Composed(raise) => {
                 let substeps = raise.substeps().map_err(failed)?;
-                self.with(Composition::new(midpoint(), substeps), task)
+                self.with(Composition::new(midpoint(), substeps))
             }
             SchemeName::Partitioned(_) => Err(self.impossible()),
         }
     }
 
-    fn with<S: Equivariant, K: SystemTask>(&self, scheme: S, task: K) -> Performed<K> {
+    fn with<S: AnyScheme>(&self, scheme: S) -> Made {
         let algebra = self.system.algebra();
         Ok(match (self.formulation, algebra.family) {
             // Π and Γ have units of their own, which the structure constants of an algebra do not tell.
             (Formulation::Direct, Family::Motions) => {
                 let space = LiePoisson::minus(Se3::default());
                 let hamiltonian = self.hamiltonian::<Se3>()?;
-                task.perform(&Direct::new(scheme, HamiltonianField { space, hamiltonian }))
+                self.any(Direct::new(scheme, HamiltonianField { space, hamiltonian }))
             }
             (Formulation::Direct, _) => {
                 return match algebra.width() {
-                    3 => self.direct::<3, S, K>(scheme, task),
-                    6 => self.direct::<6, S, K>(scheme, task),
-                    10 => self.direct::<10, S, K>(scheme, task),
-                    _ => self.direct::<15, S, K>(scheme, task),
+                    3 => self.direct::<3, S>(scheme),
+                    6 => self.direct::<6, S>(scheme),
+                    10 => self.direct::<10, S>(scheme),
+                    _ => self.direct::<15, S>(scheme),
                 };
             }
             (Formulation::Collective, Family::Rotations) => {
-                task.perform(&Collective::new(scheme, HOPF, self.hamiltonian::<So3>()?))
+                self.any(Collective::new(scheme, HOPF, self.hamiltonian::<So3>()?))
             }
             (Formulation::Reduced, Family::Rotations) => {
-                task.perform(&LiftFree::new(scheme, Quaternions, self.hamiltonian::<So3>()?))
+                self.any(LiftFree::new(scheme, Quaternions, self.hamiltonian::<So3>()?))
             }
             (Formulation::Collective, Family::Motions) => {
                 let hamiltonian = self.hamiltonian::<Se3>()?;
-                task.perform(&Collective::new(scheme, SpinorRealisation, hamiltonian))
+                self.any(Collective::new(scheme, SpinorRealisation, hamiltonian))
             }
             (Formulation::Reduced, Family::Motions) => {
-                task.perform(&LiftFree::new(scheme, DualQuaternions, self.hamiltonian::<Se3>()?))
+                self.any(LiftFree::new(scheme, DualQuaternions, self.hamiltonian::<Se3>()?))
             }
             (Formulation::Collective, Family::Other) => {
                 return match algebra.dimension() {
-                    2 => self.clebsch::<2, S, K>(scheme, task),
-                    3 => self.clebsch::<3, S, K>(scheme, task),
-                    4 => self.clebsch::<4, S, K>(scheme, task),
-                    5 => self.clebsch::<5, S, K>(scheme, task),
-                    6 => self.clebsch::<6, S, K>(scheme, task),
+                    2 => self.clebsch::<2, S>(scheme),
+                    3 => self.clebsch::<3, S>(scheme),
+                    4 => self.clebsch::<4, S>(scheme),
+                    5 => self.clebsch::<5, S>(scheme),
+                    6 => self.clebsch::<6, S>(scheme),
                     _ => Err(self.impossible()),
                 };
             }
@@ -98,20 +102,17 @@ impl Integration<'_> {
 
     /// Applies the scheme on T∗V, read through the Clebsch map of the adjoint representation. If the start has no lift,
     /// the map of the coadjoint representation is used instead.
-    fn clebsch<const N: usize, S: Equivariant, K: SystemTask>(
-        &self,
-        scheme: S,
-        task: K,
-    ) -> Performed<K> {
+    fn clebsch<const N: usize, S: AnyScheme>(&self, scheme: S) -> Made {
         let (hamiltonian, order) = (self.hamiltonian::<StructureConstants<N>>()?, scheme.order());
         let map = adjoint_map(self.table::<N>()?, || self.impossible())?;
         if map.lift(&self.momentum::<N>()).is_ok() {
-            let collective = Collective::new(scheme, map, hamiltonian);
-            return Ok(task.perform(&self.guarded(collective, order)?));
+            // A step of these costs so much that calls cost nothing.
+            let collective = Collective::new(ByPointer(scheme), map, hamiltonian);
+            return Ok(self.any(self.guarded(collective, order)?));
         }
         let map = coadjoint_map(self.table::<N>()?, || self.impossible())?;
-        let collective = Collective::new(scheme, map, hamiltonian);
-        Ok(task.perform(&self.guarded(collective, order)?))
+        let collective = Collective::new(ByPointer(scheme), map, hamiltonian);
+        Ok(self.any(self.guarded(collective, order)?))
     }
 
     /// Returns an integrator whose steps fail if they lose h or a Casimir.
@@ -154,14 +155,18 @@ impl Integration<'_> {
     }
 
     /// Applies the scheme to the equations, on the algebra that is completed to the dimension N.
-    fn direct<const N: usize, S: Equivariant, K: SystemTask>(
-        &self,
-        scheme: S,
-        task: K,
-    ) -> Performed<K> {
+    fn direct<const N: usize, S: AnyScheme>(&self, scheme: S) -> Made {
         let space = LiePoisson::minus(self.table::<N>()?);
         let hamiltonian = of(self.system.completed())?;
-        Ok(task.perform(&Direct::new(scheme, HamiltonianField { space, hamiltonian })))
+        Ok(self.any(Direct::new(scheme, HamiltonianField { space, hamiltonian })))
+    }
+
+    /// Hides the type of an integrator.
+    fn any<I>(&self, integrator: I) -> AnyIntegrator<dyn AnyTangents>
+    where
+        I: Start<State: Vector, Momentum: Vector> + TangentIntegrator + Send + Sync + 'static,
+    {
+        AnyIntegrator::with_tangents(integrator, self.system.algebra().dimension())
     }
 
     fn table<const N: usize>(&self) -> Result<StructureConstants<N>, FormulaSystemError> {

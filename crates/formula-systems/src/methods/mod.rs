@@ -1,6 +1,5 @@
-//! The integrators of systems by name: a formulation, a scheme, and a task to perform with the integrator.
+//! The integrators of systems by name: a formulation and a scheme.
 
-pub(crate) mod system_task;
 pub(crate) mod offers;
 pub(crate) mod clebsch_maps;
 pub(crate) mod invariant_guard;

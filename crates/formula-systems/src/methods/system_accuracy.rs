@@ -2,14 +2,12 @@
 
 use super::spectral_radius::spectral_radius;
 use super::system_method::SystemMethod;
-use super::system_task::SystemTask;
 use crate::{FormulaSystem, FormulaSystemError};
+use collective_integrators::RunError;
 use collective_integrators::diagnostics::{
     RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,
 };
-use collective_integrators::{RunError, Start, TangentIntegrator};
 use core::ops::Range;
-use lie_poisson::Vector;
 use lie_poisson_formulas::StructureEntry;
 
 /// The scales of a system: each vector of coordinates is measured by its length, and each scalar by its magnitude.
@@ -63,50 +61,12 @@ impl FormulaSystem {
     }
 }
 
-/// A run of a system: its start, the size and the number of its steps, and the order of the method.
-struct Run<'a> {
-    scales: FormulaScales<'a>,
-    start: &'a [f64],
-    steps: (f64, u64),
-    order: u16,
-}
-
-/// The task of measuring the accuracy of a run.
-struct Measure<'a>(Run<'a>, &'a dyn Fn() -> bool);
-
-impl SystemTask for Measure<'_> {
-    type Output = RunAccuracy;
-
-    fn perform<I>(self, integrator: &I) -> RunAccuracy
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    {
-        let Self(Run { scales, start, steps, order }, going) = self;
-        run_accuracy(integrator, &scales, start, steps, order, going)
-    }
-}
-
-/// The task of checking a run.
-struct Check<'a>(Run<'a>, &'a dyn Fn() -> bool);
-
-impl SystemTask for Check<'_> {
-    type Output = Result<Option<StepCheck>, RunError>;
-
-    fn perform<I>(self, integrator: &I) -> Self::Output
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    {
-        let Self(Run { scales, start, steps, order }, going) = self;
-        check_by_half_steps(integrator, &scales, start, steps, order, going)
-    }
-}
-
 impl SystemMethod {
     /// Measures how accurate a run of `steps` steps of size `step` from a state is, without making the whole run if it is
     /// long: [`run_accuracy`]. There is no estimate if `going` tells it to end.
     ///
     /// # Errors
-    /// Returns the errors of [`integrate`](Self::integrate).
+    /// Returns the errors of [`integrator`](Self::integrator).
     ///
     /// # Example
     /// A free rigid body that turns by 15 rad in a step. The energy and |Π|² are conserved to round-off.
@@ -131,14 +91,16 @@ impl SystemMethod {
         steps: (f64, u64),
         going: &dyn Fn() -> bool,
     ) -> Result<RunAccuracy, FormulaSystemError> {
-        self.integrate(system, start, Measure(self.run(system, start, steps), going))
+        let integrator = self.integrator(system, start)?.without_tangents();
+        let (scales, order) = (FormulaScales(system), self.scheme().order());
+        Ok(run_accuracy(&integrator, &scales, start, steps, order, going))
     }
 
     /// Checks a whole run of `steps` steps of size `step` from a state by runs with half the step and with twice the step:
     /// [`check_by_half_steps`]. Returns `None` if `going` tells it to end.
     ///
     /// # Errors
-    /// Returns the errors of [`integrate`](Self::integrate). The inner error is that of a step that fails.
+    /// Returns the errors of [`integrator`](Self::integrator). The inner error is that of a step that fails.
     pub fn check(
         &self,
         system: &FormulaSystem,
@@ -146,10 +108,8 @@ impl SystemMethod {
         steps: (f64, u64),
         going: &dyn Fn() -> bool,
     ) -> Result<Result<Option<StepCheck>, RunError>, FormulaSystemError> {
-        self.integrate(system, start, Check(self.run(system, start, steps), going))
-    }
-
-    fn run<'a>(&self, system: &'a FormulaSystem, start: &'a [f64], steps: (f64, u64)) -> Run<'a> {
-        Run { scales: FormulaScales(system), start, steps, order: self.scheme().order() }
+        let integrator = self.integrator(system, start)?.without_tangents();
+        let (scales, order) = (FormulaScales(system), self.scheme().order());
+        Ok(check_by_half_steps(&integrator, &scales, start, steps, order, going))
     }
 }

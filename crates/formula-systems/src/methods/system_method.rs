@@ -2,9 +2,9 @@
 
 use super::integration::Integration;
 use super::offers::{formulations, require};
-use super::system_task::SystemTask;
 use crate::algebras::system_algebra::Family;
 use crate::{FormulaSystem, FormulaSystemError, SystemAlgebra};
+use collective_integrators::{AnyIntegrator, AnyTangents};
 use heavytop::methods::{Formulation, MethodError, SchemeName};
 
 /// A formulation, a scheme, and the tolerance of its stage equations: an integrator for the systems on an algebra.
@@ -87,7 +87,7 @@ impl SystemMethod {
         self.tolerance
     }
 
-    /// Performs a task with the integrator of a system, for runs from a state.
+    /// Returns the integrator of a system, for runs from a state. It has tangent maps.
     ///
     /// The state is needed because some Clebsch maps have a lift for one state but not for another.
     ///
@@ -98,45 +98,30 @@ impl SystemMethod {
     /// # Example
     /// The drift of the Casimir |Π|² of a free rigid body over 100 steps:
     /// ```
-    /// use collective_integrators::Start;
+    /// use collective_integrators::{AnyState, Start};
     /// use heavytop::methods::{Formulation, SchemeName};
-    /// use lie_poisson::Vector;
-    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod, SystemTask};
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
     /// use lie_poisson_formulas::Parameters;
-    ///
-    /// /// The state after 100 steps of 0.1.
-    /// struct End<'a>(&'a [f64]);
-    /// impl SystemTask for End<'_> {
-    ///     type Output = Option<Vec<f64>>;
-    ///     fn perform<I>(self, integrator: &I) -> Option<Vec<f64>>
-    ///     where
-    ///         I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
-    ///     {
-    ///         let start = Vector::from_coordinates(|i| self.0.get(i).copied().unwrap_or(0.0));
-    ///         let end = integrator.trajectory(&start, 0.1).ok()?.nth(100)?.ok()?.momentum;
-    ///         Some((0..self.0.len()).map(|i| end.coordinate(i)).collect())
-    ///     }
-    /// }
     ///
     /// let body = FormulaSystem::new(SystemAlgebra::named("so(3)")?, "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2", &Parameters::new())?;
     /// let body = body.with_found_casimirs()?;
     /// let start = [1.0, 2.0, 0.5];
     /// let drift = |formulation, scheme| -> Result<f64, Box<dyn std::error::Error>> {
     ///     let method = SystemMethod::new(body.algebra(), formulation, scheme, 0.0)?;
-    ///     let end = method.integrate(&body, &start, End(&start))?.ok_or("a step failed")?;
-    ///     Ok((body.invariants(&end)?[1] - body.invariants(&start)?[1]).abs())
+    ///     let integrator = method.integrator(&body, &start)?;
+    ///     let end = integrator.after(&AnyState::from_slice(&start), 0.1, 100)?.momentum;
+    ///     Ok((body.invariants(end.as_slice())?[1] - body.invariants(&start)?[1]).abs())
     /// };
     /// assert!(drift(Formulation::Collective, SchemeName::Gauss(2))? < 1e-13);
     /// assert!(drift(Formulation::Direct, SchemeName::Rk4)? > 1e-8);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn integrate<K: SystemTask>(
+    pub fn integrator(
         &self,
         system: &FormulaSystem,
         start: &[f64],
-        task: K,
-    ) -> Result<K::Output, FormulaSystemError> {
-        self.integration(system, start)?.perform(task)
+    ) -> Result<AnyIntegrator<dyn AnyTangents>, FormulaSystemError> {
+        self.integration(system, start)?.make()
     }
 
     /// Returns whether the steps descend to 𝔤∗. It is false for a collective method by a Clebsch map whose
@@ -144,7 +129,7 @@ impl SystemMethod {
     /// not Poisson maps, and the Casimirs are conserved only to the order of the scheme.
     ///
     /// # Errors
-    /// Returns the errors of [`integrate`](Self::integrate).
+    /// Returns the errors of [`integrator`](Self::integrator).
     ///
     /// # Example
     /// ```

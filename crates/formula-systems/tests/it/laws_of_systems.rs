@@ -2,11 +2,11 @@
 //! integrator of each formulation. Each suite refuses the same object with a wrong result.
 
 use crate::support::system;
-use collective_integrators::{Start, TangentIntegrator, laws};
+use collective_integrators::{AnyState, Start, laws};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::laws::{Faulty, NoSamples, Report, hamiltonian, lie_algebra, poisson_space};
 use lie_poisson::{Hamiltonian, LiePoisson, Momentum, PoissonSpace, StructureConstants, Vector};
-use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod, SystemTask};
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
 use lie_poisson_formulas::{
     Coordinates, DimensionTask, FormulaHamiltonian, Parameters, for_dimension, structure_constants,
 };
@@ -143,38 +143,19 @@ fn algebras_and_hamiltonians_of_any_dimension() {
 }
 
 /// Runs the suites of an integrator.
-struct Dynamics<'a> {
-    system: &'a FormulaSystem,
-    what: String,
-    start: &'a [f64],
-}
-
-impl SystemTask for Dynamics<'_> {
-    type Output = ();
-
-    fn perform<I>(self, integrator: &I)
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    {
-        let what = &self.what;
-        let mu: <I as collective_integrators::Integrator>::Momentum =
-            Vector::from_coordinates(|i| self.start.get(i).copied().unwrap_or(0.0));
-        obeys(what, integrator, ("step", 0), ROUND_OFF, |i| laws::start(i, &[mu], STEP));
-        let state = [integrator.start(&mu).unwrap()];
-        let invariant = |index: usize| {
-            move |mu: &_| {
-                let coordinates: Vec<f64> =
-                    (0..self.start.len()).map(|i| Vector::coordinate(mu, i)).collect();
-                self.system.invariants(&coordinates).unwrap()[index]
-            }
-        };
-        let run = |index| laws::invariants(integrator, &state, STEP, &[&invariant(index)]).unwrap();
-        let energy = run(0);
-        energy.check(ENERGY).unwrap_or_else(|broken| panic!("{what}, energy: {broken}"));
-        for index in 1..=self.system.casimirs().len() {
-            let checked = run(index).check(ROUND_OFF_OF_RUNS);
-            checked.unwrap_or_else(|broken| panic!("{what}, Casimir {index}: {broken}"));
-        }
+fn dynamics(what: &str, method: SystemMethod, system: &FormulaSystem, start: &[f64]) {
+    let integrator = &method.integrator(system, start).unwrap().without_tangents();
+    let mu = [AnyState::from_slice(start)];
+    obeys(what, integrator, ("step", 0), ROUND_OFF, |i| laws::start(i, &mu, STEP));
+    let state = [integrator.start(&mu[0]).unwrap()];
+    let invariant =
+        |index: usize| move |mu: &AnyState| system.invariants(mu.as_slice()).unwrap()[index];
+    let run = |index| laws::invariants(integrator, &state, STEP, &[&invariant(index)]).unwrap();
+    let energy = run(0);
+    energy.check(ENERGY).unwrap_or_else(|broken| panic!("{what}, energy: {broken}"));
+    for index in 1..=system.casimirs().len() {
+        let checked = run(index).check(ROUND_OFF_OF_RUNS);
+        checked.unwrap_or_else(|broken| panic!("{what}, Casimir {index}: {broken}"));
     }
 }
 
@@ -191,8 +172,7 @@ fn integrators_of_systems_of_any_dimension() {
             let method =
                 SystemMethod::new(algebra, formulation, SchemeName::Gauss(2), 0.0).unwrap();
             let what = format!("dimension {}, {formulation}", start.len());
-            let task = Dynamics { system: &system, what, start };
-            method.integrate(&system, start, task).unwrap();
+            dynamics(&what, method, &system, start);
             kinds.push((start.len(), formulation));
         }
     }
@@ -218,6 +198,5 @@ fn methods_that_lose_casimirs_are_refused() {
     let start = [0.6, -0.4, 0.7];
     let method =
         SystemMethod::new(body.algebra(), Formulation::Direct, SchemeName::Rk4, 0.0).unwrap();
-    let task = Dynamics { system: &body, what: "rk4".into(), start: &start };
-    method.integrate(&body, &start, task).unwrap();
+    dynamics("rk4", method, &body, &start);
 }

@@ -1,9 +1,8 @@
-//! Systems and tasks that several tests use.
+//! Systems and runs that several tests use.
 
-use collective_integrators::Start;
+use collective_integrators::{AnyState, Start};
 use heavytop::methods::{Formulation, SchemeName};
-use lie_poisson::Vector;
-use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod, SystemTask};
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
 use lie_poisson_formulas::Parameters;
 
 /// Returns the system of a Hamiltonian without parameters, with its Casimirs.
@@ -12,36 +11,21 @@ pub fn system(algebra: SystemAlgebra, hamiltonian: &str) -> FormulaSystem {
     system.with_found_casimirs().unwrap()
 }
 
-/// The task of following a number of steps to the last state.
-pub struct End<'a> {
-    pub start: &'a [f64],
-    pub step: f64,
-    pub steps: usize,
-}
-
-impl SystemTask for End<'_> {
-    type Output = Vec<f64>;
-
-    fn perform<I>(self, integrator: &I) -> Vec<f64>
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
-    {
-        let start = Vector::from_coordinates(|i| self.start.get(i).copied().unwrap_or(0.0));
-        let mut run = integrator.trajectory(&start, self.step).unwrap();
-        let end = run.nth(self.steps).unwrap().unwrap().momentum;
-        (0..self.start.len()).map(|i| end.coordinate(i)).collect()
-    }
-}
-
 /// Returns the state after a number of steps of a method.
 pub fn end(
     system: &FormulaSystem,
     (formulation, scheme): (Formulation, SchemeName),
     start: &[f64],
-    (step, steps): (f64, usize),
+    (step, steps): (f64, u64),
 ) -> Vec<f64> {
     let method = SystemMethod::new(system.algebra(), formulation, scheme, 0.0).unwrap();
-    method.integrate(system, start, End { start, step, steps }).unwrap()
+    let integrator = method.integrator(system, start).unwrap();
+    integrator
+        .after(&AnyState::from_slice(start), step, steps)
+        .unwrap()
+        .momentum
+        .as_slice()
+        .to_vec()
 }
 
 /// Returns the largest difference of two states.

@@ -7,10 +7,10 @@ use super::schedule::Schedule;
 use super::visited_samples::visit_samples;
 use crate::Error;
 use collective_integrators::diagnostics::RunAccuracy;
-use collective_integrators::{Integrator, Start};
-use heavytop::methods::{Method, Task};
-use heavytop::{HeavyTop, PrincipalAxes, Turning, WithAttitude};
-use lie_poisson::{Quaternion, Se3Dual, Vector};
+use collective_integrators::{AnyIntegrator, AnyState, SampleOf};
+use heavytop::methods::{Method, attitude_of};
+use heavytop::{HeavyTop, PrincipalAxes};
+use lie_poisson::{Quaternion, Se3Dual, State, Vector};
 
 /// A top, its initial state, and the method and steps of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +75,21 @@ impl Experiment {
     where
         V: FnMut(&Moment<'_>) -> Result<(), Error>,
     {
-        self.method.integrate(&self.top, Follow { experiment: self, from, visit: &mut visit })?
+        let Self { start, method, .. } = self;
+        let (integrator, names) = (self.integrator()?, (method.formulation(), method.scheme()));
+        let place = (self.pace(), from);
+        visit_samples(&integrator, &AnyState::of(start), place, names, |sample| {
+            let SampleOf::<AnyIntegrator> { step, time, momentum, state, .. } = &sample;
+            let momentum = &Vector::from_coordinates(|i| momentum.entry(i));
+            let attitude = self.attitude.then(|| attitude_of(state.as_slice()));
+            visit(&Moment {
+                step: *step,
+                time: *time,
+                momentum,
+                attitude: attitude.as_ref(),
+                state,
+            })
+        })
     }
 
     /// Returns the number of coordinates of the state that the integrator advances.
@@ -83,7 +97,7 @@ impl Experiment {
     /// # Errors
     /// If there is no such integrator, or the formulation does not determine the attitude that is asked for.
     pub fn dimension(&self) -> Result<usize, Error> {
-        self.method.integrate(&self.top, Dimension { experiment: self })?
+        Ok(self.integrator()?.state_dimension())
     }
 
     /// Measures how accurate the run is, by a repetition of its beginning with half the step. There is no estimate if
@@ -118,78 +132,21 @@ impl Experiment {
         self.pace().rows()
     }
 
-    fn require_no_attitude(&self) -> Result<(), Error> {
+    /// Returns the integrator, with the attitude if it is followed.
+    fn integrator(&self) -> Result<AnyIntegrator, Error> {
         let formulation = self.method.formulation();
-        if self.attitude { Err(Error::NoAttitude { formulation }) } else { Ok(()) }
+        match self.attitude {
+            true => self
+                .method
+                .integrator_with_attitude(&self.top)?
+                .ok_or(Error::NoAttitude { formulation }),
+            false => Ok(self.method.integrator(&self.top)?),
+        }
     }
 
     /// Returns whether the sample after this step is written.
     #[must_use]
     pub fn keeps(&self, step: u64) -> bool {
         self.pace().keeps(step)
-    }
-}
-
-/// The task of counting the coordinates of a state.
-struct Dimension<'a> {
-    experiment: &'a Experiment,
-}
-
-impl Task for Dimension<'_> {
-    type Output = Result<usize, Error>;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, _: &I) -> Result<usize, Error> {
-        self.experiment.require_no_attitude().map(|()| I::State::DIM)
-    }
-
-    fn perform_turning<I: Turning + Start>(self, _: I) -> Result<usize, Error> {
-        let attitude = self.experiment.attitude;
-        Ok(if attitude { <WithAttitude<I> as Integrator>::State::DIM } else { I::State::DIM })
-    }
-}
-
-/// A function of the moments of a run. As a trait object, so that the integrators are compiled once for all of them.
-type Visit<'a> = &'a mut dyn FnMut(&Moment<'_>) -> Result<(), Error>;
-
-/// The task of following an experiment.
-struct Follow<'a> {
-    experiment: &'a Experiment,
-    from: Option<&'a Saved>,
-    visit: Visit<'a>,
-}
-
-impl Follow<'_> {
-    /// Follows an integrator; `attitude` reads the attitude from the state.
-    fn follow<I: Start<State: Vector, Momentum = Se3Dual>>(
-        self,
-        integrator: &I,
-        attitude: impl Fn(&I::State) -> Option<&Quaternion>,
-    ) -> Result<(), Error> {
-        let Experiment { start, method, .. } = self.experiment;
-        let names = (method.formulation(), method.scheme());
-        let place = (self.experiment.pace(), self.from);
-        visit_samples(integrator, start, place, names, |step, time, momentum, state| {
-            (self.visit)(&Moment { step, time, momentum, attitude: attitude(state), state })
-        })
-    }
-}
-
-impl Task for Follow<'_> {
-    type Output = Result<(), Error>;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
-        self,
-        integrator: &I,
-    ) -> Result<(), Error> {
-        self.experiment.require_no_attitude()?;
-        self.follow(integrator, |_| None)
-    }
-
-    fn perform_turning<I: Turning + Start>(self, integrator: I) -> Result<(), Error> {
-        if self.experiment.attitude {
-            self.follow(&WithAttitude(integrator), |state| Some(&state.1))
-        } else {
-            self.follow(&integrator, |_| None)
-        }
     }
 }

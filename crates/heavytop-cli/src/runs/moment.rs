@@ -1,6 +1,7 @@
 //! A moment of a run, and the state from which the run continues.
 
-use lie_poisson::{Quaternion, Se3Dual, Vector};
+use collective_integrators::AnyState;
+use lie_poisson::{Quaternion, Se3Dual};
 
 /// A moment of a run: the step, the time and the state, in the principal axes of the top.
 #[derive(Clone, Copy)]
@@ -14,7 +15,7 @@ pub struct Moment<'a> {
     /// The attitude, if it is followed.
     pub attitude: Option<&'a Quaternion>,
     /// The state that the integrator advances.
-    pub(super) state: &'a dyn Coordinates,
+    pub(super) state: &'a AnyState,
 }
 
 /// The data from which a run continues.
@@ -30,17 +31,6 @@ impl Moment<'_> {
     /// Returns the data from which the run continues after this moment.
     #[must_use]
     pub fn saved(&self) -> Saved {
-        Saved { step: self.step, state: self.state.coordinates() }
-    }
-}
-
-/// The coordinates of a state, whatever the integrator.
-pub(in crate::runs) trait Coordinates {
-    fn coordinates(&self) -> Vec<f64>;
-}
-
-impl<S: Vector<Scalar = f64>> Coordinates for S {
-    fn coordinates(&self) -> Vec<f64> {
-        (0..S::DIM).map(|i| self.coordinate(i)).collect()
+        Saved { step: self.step, state: self.state.as_slice().to_vec() }
     }
 }

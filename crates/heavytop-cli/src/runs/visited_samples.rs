@@ -4,36 +4,29 @@ use super::moment::Saved;
 use super::pace::Pace;
 use super::schedule::Schedule;
 use crate::Error;
-use collective_integrators::{Integrator, Start};
+use collective_integrators::{AnyIntegrator, AnyState, Integrator, SampleOf, Start};
 use heavytop::methods::{Formulation, SchemeName};
-use lie_poisson::Vector;
 
-/// Passes the step, the time, the momentum and the state of samples to `visit`: from the start on, or from the first one
-/// after a saved state, those that the pace visits.
+/// Passes samples to `visit`: from the start on, or from the first one after a saved state, those that the pace visits.
 ///
 /// # Errors
 /// If the start has no lift, the saved state does not fit, a step fails, or `visit` fails.
-pub(super) fn visit_samples<I, V>(
-    integrator: &I,
-    start: &<I as Integrator>::Momentum,
+pub(super) fn visit_samples(
+    integrator: &AnyIntegrator,
+    start: &AnyState,
     (pace, from): (Pace, Option<&Saved>),
     (formulation, scheme): (Formulation, SchemeName),
-    mut visit: V,
-) -> Result<(), Error>
-where
-    I: Start<State: Vector>,
-    V: FnMut(u64, f64, &I::Momentum, &I::State) -> Result<(), Error>,
-{
+    mut visit: impl FnMut(SampleOf<AnyIntegrator>) -> Result<(), Error>,
+) -> Result<(), Error> {
     let Schedule { step, steps } = pace.schedule;
     let (mut trajectory, made) = match from {
         None => (integrator.trajectory(start, step)?, 0),
         Some(Saved { step: made, state }) => {
-            let (expected, found) = (I::State::DIM, state.len());
+            let (expected, found) = (integrator.state_dimension(), state.len());
             if expected != found {
                 return Err(Error::SavedState { expected, found });
             }
-            let coordinate = |i: usize| state.get(i).copied().unwrap_or(f64::NAN);
-            let state = I::State::from_coordinates(coordinate);
+            let state = AnyState::from_slice(state);
             (integrator.trajectory_resumed(state, *made, step), *made)
         }
     };
@@ -50,7 +43,7 @@ where
             source,
         })?;
         let made = sample.step;
-        visit(made, sample.time, &sample.momentum, &sample.state)?;
+        visit(sample)?;
         if made >= steps {
             break;
         }

@@ -4,7 +4,7 @@ use crate::analysis::section_level::{least_energy, quasi_random};
 use crate::analysis::surface::{Place, Surface, SurfaceVariable};
 use crate::{EnergyLevel, HeavyTopSpace, PrincipalAxes, SectionError};
 use collective_integrators::{Direction, EventError, Events, RunError, SampleOf, Start};
-use lie_poisson::{Hamiltonian, LiePoisson, PoissonSpace, Se3, Se3Dual};
+use lie_poisson::{Hamiltonian, LiePoisson, PoissonSpace, Se3, Se3Dual, State, Vector};
 use nalgebra::{Vector2, Vector3};
 use std::borrow::Cow;
 
@@ -195,21 +195,23 @@ impl Section {
     /// Returns the points where the motion through `start`, a state of the section, crosses the section in the first
     /// `steps` steps of size `step` (s). With a negative step they are its antecedents, which lie on the same section.
     ///
-    /// The start is no crossing, although it lies on the surface. The crossings within the first step are reported.
+    /// The momenta of the integrator have the coordinates (Π, Γ). The start is no crossing, although it lies on the surface.
+    /// The crossings within the first step are reported.
     ///
     /// # Errors
     /// Returns [`RunError`] if the start has no lift, or is not finite. If a step fails, the iterator returns an
     /// [`EventError`] for each remaining step.
-    pub fn crossings<'a, I: Start<Momentum = Se3Dual>>(
+    pub fn crossings<'a, I: Start>(
         &self,
         integrator: &'a I,
-        start: &Se3Dual,
+        start: &I::Momentum,
         step: f64,
         steps: usize,
     ) -> Result<impl Iterator<Item = Result<SampleOf<I>, EventError>> + use<'a, I>, RunError> {
         let section = *self;
         let run = integrator.trajectory(start, step)?.take(steps.saturating_add(1));
-        let value = move |mu: &Se3Dual| section.value(mu);
+        let value =
+            move |mu: &I::Momentum| section.value(&Se3Dual::from_coordinates(|i| mu.entry(i)));
         let events = Events::new(integrator, run, value, self.surface.direction.along_run(step));
         Ok(match self.period() {
             Some(period) => events.modulo(period),

@@ -1,12 +1,12 @@
 //! The accuracy of runs of tops: [`Method::accuracy`] and [`Method::check`].
 
-use super::{Method, MethodError, Task};
+use super::{Method, MethodError};
 use crate::HeavyTop;
 use crate::tops::top::kinetic;
+use collective_integrators::RunError;
 use collective_integrators::diagnostics::{
     RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,
 };
-use collective_integrators::{RunError, Start};
 use core::ops::Range;
 use lie_poisson::{Se3Dual, Vector};
 use nalgebra::Vector3;
@@ -56,52 +56,12 @@ fn part(mu: &[f64], first: usize) -> Vector3<f64> {
     Vector3::from_fn(|i, _| mu.get(first + i).copied().unwrap_or(f64::NAN))
 }
 
-/// A run of a top: its start, the size and the number of its steps, and the order of the method.
-struct Run<'a> {
-    scales: TopScales,
-    start: &'a Se3Dual,
-    steps: (f64, u64),
-    order: u16,
-}
-
-impl Run<'_> {
-    fn coordinates(&self) -> [f64; 6] {
-        core::array::from_fn(|i| self.start.coordinate(i))
-    }
-}
-
-/// The task of measuring the accuracy of a run.
-struct Measure<'a>(Run<'a>, &'a dyn Fn() -> bool);
-
-impl Task for Measure<'_> {
-    type Output = RunAccuracy;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> RunAccuracy {
-        let Self(run, going) = self;
-        let start = run.coordinates();
-        run_accuracy(integrator, &run.scales, &start, run.steps, run.order, going)
-    }
-}
-
-/// The task of checking a run.
-struct Check<'a>(Run<'a>, &'a dyn Fn() -> bool);
-
-impl Task for Check<'_> {
-    type Output = Result<Option<StepCheck>, RunError>;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> Self::Output {
-        let Self(run, going) = self;
-        let start = run.coordinates();
-        check_by_half_steps(integrator, &run.scales, &start, run.steps, run.order, going)
-    }
-}
-
 impl Method {
     /// Measures how accurate a run of `steps` steps of size `step` from a start is, without making the whole run if it is
     /// long: [`run_accuracy`]. There is no estimate if `going` tells it to end.
     ///
     /// # Errors
-    /// Returns the errors of [`integrate`](Self::integrate).
+    /// Returns the errors of [`integrator`](Self::integrator).
     ///
     /// # Example
     /// The midpoint rule is wrong in the first digit after 20 s with 0.15 rad a step, and Gauss's method of order 8 is
@@ -128,14 +88,16 @@ impl Method {
         steps: (f64, u64),
         going: &dyn Fn() -> bool,
     ) -> Result<RunAccuracy, MethodError> {
-        self.integrate(top, Measure(self.run(top, start, steps), going))
+        let (integrator, order) = (self.integrator(top)?, self.scheme().order());
+        let start = coordinates(start);
+        Ok(run_accuracy(&integrator, &TopScales(*top), &start, steps, order, going))
     }
 
     /// Checks a whole run of `steps` steps of size `step` from a start by runs with half the step and with twice the step:
     /// [`check_by_half_steps`]. Returns `None` if `going` tells it to end.
     ///
     /// # Errors
-    /// Returns the errors of [`integrate`](Self::integrate). The inner error is that of a step that fails.
+    /// Returns the errors of [`integrator`](Self::integrator). The inner error is that of a step that fails.
     ///
     /// # Example
     /// ```
@@ -157,10 +119,12 @@ impl Method {
         steps: (f64, u64),
         going: &dyn Fn() -> bool,
     ) -> Result<Result<Option<StepCheck>, RunError>, MethodError> {
-        self.integrate(top, Check(self.run(top, start, steps), going))
+        let (integrator, order) = (self.integrator(top)?, self.scheme().order());
+        let start = coordinates(start);
+        Ok(check_by_half_steps(&integrator, &TopScales(*top), &start, steps, order, going))
     }
+}
 
-    fn run<'a>(&self, top: &HeavyTop, start: &'a Se3Dual, steps: (f64, u64)) -> Run<'a> {
-        Run { scales: TopScales(*top), start, steps, order: self.scheme().order() }
-    }
+fn coordinates(mu: &Se3Dual) -> [f64; 6] {
+    core::array::from_fn(|i| mu.coordinate(i))
 }

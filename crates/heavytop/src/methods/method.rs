@@ -1,16 +1,17 @@
 //! The integrator for a formulation and a scheme.
 
-use super::task::{Plain, TangentTask, Task};
+use super::wanted::{Attitude, DIMENSION, Tangents, Wanted, with_attitude};
 use super::{ComposedScheme, Formulation, MethodError, PartitionedScheme, SchemeName};
 use crate::{
     CollectiveGauss, HeavyTop, RotorSplitting, SpinorRealisation, SymmetricTopSplitting,
     TopMidpoint,
 };
 use collective_integrators::{
-    Collective, Composition, Direct, Equivariant, FirstHalf, HamiltonianField, LiftFree,
-    PartitionedRungeKutta, RungeKutta, SchemeError, Splitting, StageSolver,
+    AnyIntegrator, AnyTangents, Collective, Composition, Direct, Equivariant, FirstHalf,
+    HamiltonianField, LiftFree, PartitionedRungeKutta, RungeKutta, SchemeError, Splitting,
+    StageSolver,
 };
-use lie_poisson::{InstructionSet, LiePoisson, MissingInstructions, Se3};
+use lie_poisson::{InstructionSet, LiePoisson, MissingInstructions, Quaternion, Se3, Vector};
 use momentum_map::DualQuaternions;
 
 /// A formulation, a scheme, and the tolerance of its stage equations: an integrator for every top.
@@ -110,90 +111,131 @@ impl Method {
         self.scheme
     }
 
-    /// Performs the task with the integrator for this top.
+    /// Returns the integrator for this top.
     ///
     /// # Errors
     /// Returns [`MethodError::Scheme`] if the coefficients of the scheme cannot be made.
-    pub fn integrate<K: Task>(&self, top: &HeavyTop, task: K) -> Result<K::Output, MethodError> {
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop::HeavyTop;
+    /// use heavytop::collective_integrators::{AnyState, Start};
+    /// use heavytop::methods::Method;
+    /// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+    /// let method = Method::new("reduced".parse()?, "gauss-8".parse()?, 0.0)?;
+    /// let start = AnyState::from_slice(&[2.0, 3.0, 4.0, 0.6, 0.0, 0.8]);
+    /// let end = method.integrator(&top)?.after(&start, 0.02, 100)?.momentum;
+    /// let vertical = |mu: &AnyState| mu.as_slice()[3..].iter().map(|x| x * x).sum::<f64>();
+    /// assert!((vertical(&end) - 1.0).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn integrator(&self, top: &HeavyTop) -> Result<AnyIntegrator, MethodError> {
         match self.scheme {
             // These kernels compute the same maps, faster.
             SchemeName::Gauss(stages) if self.has_kernel() => {
-                let gauss =
-                    CollectiveGauss::new(stages.into(), *top).map_err(|e| self.failed(e))?;
-                Ok(task.perform_turning(match self.instructions {
-                    Some(set) => gauss.with_instructions(set)?,
-                    None => gauss,
-                }))
+                Ok(AnyIntegrator::new(self.gauss_kernel(stages, top)?, DIMENSION))
             }
             SchemeName::ImplicitMidpoint if self.has_kernel() => {
-                let midpoint = TopMidpoint::new(*top);
-                Ok(task.perform_turning(match self.instructions {
-                    Some(set) => midpoint.with_instructions(set)?,
-                    None => midpoint,
-                }))
+                Ok(AnyIntegrator::new(self.midpoint_kernel(top)?, DIMENSION))
             }
-            _ => self.differentiate(top, Plain(task)),
+            _ => Ok(self.tangent_integrator(top)?.without_tangents()),
         }
     }
 
-    /// Performs the task with an integrator for this top that has tangent maps.
+    /// Returns the integrator for this top that carries the [attitude](WithAttitude) along, whose unit quaternion is in the
+    /// last four coordinates of its states. It is `None` for the direct formulation, whose six equations do not determine
+    /// the attitude.
     ///
     /// # Errors
     /// Returns [`MethodError::Scheme`] if the coefficients of the scheme cannot be made.
-    pub fn differentiate<K: TangentTask>(
+    pub fn integrator_with_attitude(
         &self,
         top: &HeavyTop,
-        task: K,
-    ) -> Result<K::Output, MethodError> {
+    ) -> Result<Option<AnyIntegrator>, MethodError> {
         match self.scheme {
-            SchemeName::ImplicitMidpoint => self.equivariant(self.midpoint(), top, task),
+            SchemeName::Gauss(stages) if self.has_kernel() => {
+                Ok(Some(with_attitude(self.gauss_kernel(stages, top)?)))
+            }
+            SchemeName::ImplicitMidpoint if self.has_kernel() => {
+                Ok(Some(with_attitude(self.midpoint_kernel(top)?)))
+            }
+            _ => self.make::<Attitude>(top),
+        }
+    }
+
+    /// Returns an integrator for this top that has tangent maps.
+    ///
+    /// # Errors
+    /// Returns [`MethodError::Scheme`] if the coefficients of the scheme cannot be made.
+    pub fn tangent_integrator(
+        &self,
+        top: &HeavyTop,
+    ) -> Result<AnyIntegrator<dyn AnyTangents>, MethodError> {
+        self.make::<Tangents>(top)
+    }
+
+    fn gauss_kernel(&self, stages: u8, top: &HeavyTop) -> Result<CollectiveGauss, MethodError> {
+        let gauss = CollectiveGauss::new(stages.into(), *top).map_err(|e| self.failed(e))?;
+        Ok(match self.instructions {
+            Some(set) => gauss.with_instructions(set)?,
+            None => gauss,
+        })
+    }
+
+    fn midpoint_kernel(&self, top: &HeavyTop) -> Result<TopMidpoint, MethodError> {
+        let midpoint = TopMidpoint::new(*top);
+        Ok(match self.instructions {
+            Some(set) => midpoint.with_instructions(set)?,
+            None => midpoint,
+        })
+    }
+
+    fn make<W: Wanted>(&self, top: &HeavyTop) -> Result<W::Made, MethodError> {
+        match self.scheme {
+            SchemeName::ImplicitMidpoint => self.equivariant::<_, W>(self.midpoint(), top),
             SchemeName::Gauss(stages) => {
                 let gauss = RungeKutta::gauss(stages.into()).map_err(|e| self.failed(e))?;
-                self.equivariant(gauss.with_solver(self.solver()), top, task)
+                self.equivariant::<_, W>(gauss.with_solver(self.solver()), top)
             }
             SchemeName::ExplicitMidpoint => {
-                self.equivariant(RungeKutta::explicit_midpoint(), top, task)
+                self.equivariant::<_, W>(RungeKutta::explicit_midpoint(), top)
             }
-            SchemeName::Rk4 => self.equivariant(RungeKutta::rk4(), top, task),
-            SchemeName::Partitioned(pair) => self.partitioned(pair, top, task),
+            SchemeName::Rk4 => self.equivariant::<_, W>(RungeKutta::rk4(), top),
+            SchemeName::Partitioned(pair) => self.partitioned::<W>(pair, top),
             SchemeName::Composed(raise) if self.formulation == Formulation::Splitting => {
-                self.splitting(raise, top, task)
+                self.splitting::<W>(raise, top)
             }
             SchemeName::Composed(raise) => {
                 let substeps = raise.substeps().map_err(|e| self.failed(e))?;
-                self.equivariant(Composition::new(self.midpoint(), substeps), top, task)
+                self.equivariant::<_, W>(Composition::new(self.midpoint(), substeps), top)
             }
         }
     }
 
-    fn equivariant<S: Equivariant, K: TangentTask>(
+    fn equivariant<S: Equivariant + Send + Sync + 'static, W: Wanted>(
         &self,
         scheme: S,
         top: &HeavyTop,
-        task: K,
-    ) -> Result<K::Output, MethodError> {
+    ) -> Result<W::Made, MethodError> {
         Ok(match self.formulation {
             Formulation::Collective => {
-                task.perform_turning(Collective::new(scheme, SpinorRealisation, *top))
+                W::of_turning(Collective::new(scheme, SpinorRealisation, *top))
             }
-            Formulation::Reduced => {
-                task.perform_turning(LiftFree::new(scheme, DualQuaternions, *top))
-            }
+            Formulation::Reduced => W::of_turning(LiftFree::new(scheme, DualQuaternions, *top)),
             Formulation::Direct => {
                 let space = LiePoisson::minus(Se3::default());
-                task.perform(&Direct::new(scheme, HamiltonianField { space, hamiltonian: *top }))
+                W::of(Direct::new(scheme, HamiltonianField { space, hamiltonian: *top }))
             }
             // `new` has refused every such pair.
             Formulation::Splitting => return Err(self.impossible()),
         })
     }
 
-    fn partitioned<K: TangentTask>(
+    fn partitioned<W: Wanted>(
         &self,
         pair: PartitionedScheme,
         top: &HeavyTop,
-        task: K,
-    ) -> Result<K::Output, MethodError> {
+    ) -> Result<W::Made, MethodError> {
         let scheme = match pair {
             PartitionedScheme::SymplecticEuler => {
                 PartitionedRungeKutta::<FirstHalf>::symplectic_euler_implicit_in_p()
@@ -205,22 +247,21 @@ impl Method {
         };
         let scheme = scheme.with_solver(self.solver());
         let integrator = Collective::that_does_not_descend(scheme, SpinorRealisation, *top);
-        Ok(task.perform_turning(integrator))
+        Ok(W::of_turning(integrator))
     }
 
-    fn splitting<K: TangentTask>(
+    fn splitting<W: Wanted>(
         &self,
         raise: ComposedScheme,
         top: &HeavyTop,
-        task: K,
-    ) -> Result<K::Output, MethodError> {
+    ) -> Result<W::Made, MethodError> {
         let substeps = raise.substeps().map_err(|e| self.failed(e))?;
         // This splitting is refused unless I₁ = I₂; the rotors suit every top.
         Ok(match SymmetricTopSplitting::new(*top) {
-            Ok(flows) => task.perform_turning(Composition::new(Splitting::strang(flows), substeps)),
+            Ok(flows) => W::of_turning(Composition::new(Splitting::strang(flows), substeps)),
             Err(_) => {
                 let flows = RotorSplitting(*top);
-                task.perform_turning(Composition::new(Splitting::strang(flows), substeps))
+                W::of_turning(Composition::new(Splitting::strang(flows), substeps))
             }
         })
     }
@@ -240,4 +281,12 @@ impl Method {
     fn failed(&self, reason: SchemeError) -> MethodError {
         MethodError::Scheme { scheme: self.scheme, reason }
     }
+}
+
+/// Returns the attitude in the last four coordinates of a state of an
+/// [integrator with the attitude](Method::integrator_with_attitude).
+#[must_use]
+pub fn attitude_of(state: &[f64]) -> Quaternion {
+    let at = |i: usize| state.get(state.len().wrapping_sub(4).wrapping_add(i));
+    Vector::from_coordinates(|i| at(i).copied().unwrap_or(f64::NAN))
 }

@@ -26,7 +26,7 @@ impl<S: State<Scalar = f64>, M: State> TangentScales<S, M> {
     /// Divides the blocks of tangent vectors of states by their scales. A single block stays as it is. `spare` has temporary
     /// vectors.
     pub(super) fn divide(&self, vectors: &mut [S], spare: &mut [S]) {
-        if S::BLOCKS > 1 {
+        if vectors.first().is_some_and(|v| v.blocks() > 1) {
             for (v, spare) in vectors.iter_mut().zip(spare) {
                 spare.assign(v);
                 v.set_entries(|i| self.state.entry(spare, i));
@@ -37,7 +37,7 @@ impl<S: State<Scalar = f64>, M: State> TangentScales<S, M> {
     /// Multiplies the blocks of tangent vectors of states by their scales. A single block stays as it is. `spare` has
     /// temporary vectors.
     pub(super) fn multiply(&self, vectors: &mut [S], spare: &mut [S]) {
-        if S::BLOCKS > 1 {
+        if vectors.first().is_some_and(|v| v.blocks() > 1) {
             for (v, spare) in vectors.iter_mut().zip(spare) {
                 spare.assign(v);
                 v.set_entries(|i| spare.entry(i) * self.state.at(spare.block_of(i)));
@@ -74,7 +74,7 @@ impl<I: TangentIntegrator> Prober<'_, I> {
             let (state, momentum) = (BlockScales::uniform(1.0), BlockScales::uniform(1.0));
             return Ok(TangentScales { state, momentum });
         }
-        let blocks = StateOf::<I>::BLOCKS;
+        let blocks = state.blocks();
         let mut sizes = BlockScales::of(state);
         let mut couplings = BlockMatrix::zero(blocks);
         if blocks > 1 {
@@ -92,10 +92,10 @@ impl<I: TangentIntegrator> Prober<'_, I> {
             sizes.include(&next);
             self.differentiate(state, &sizes, &mut couplings)?;
         }
-        let state_scales = natural_scales(&sizes, |a, b| couplings.at(a, b));
+        let state_scales = natural_scales(blocks, &sizes, |a, b| couplings.at(a, b));
         let mut scales = TangentScales { state: state_scales, momentum: BlockScales::uniform(1.0) };
-        if MomentumOf::<I>::BLOCKS > 1 {
-            let momentum = Integrator::<f64>::momentum(self.integrator, state);
+        let momentum = Integrator::<f64>::momentum(self.integrator, state);
+        if momentum.blocks() > 1 {
             scales.momentum = BlockScales::of(&momentum);
             self.include_images(state, &mut scales);
         }
@@ -110,7 +110,7 @@ impl<I: TangentIntegrator> Prober<'_, I> {
         couplings: &mut BlockMatrix,
     ) -> Result<(), StepError> {
         let (mut probe, mut change) = (state.zeros_like(), state.zeros_like());
-        for (b, number) in probes(StateOf::<I>::BLOCKS) {
+        for (b, number) in probes(state.blocks()) {
             let size = if sizes.at(b) > 0.0 { sizes.at(b) } else { 1.0 };
             set_probe(&mut probe, b, number, size);
             let length = BlockScales::of(&probe).at(b);
@@ -125,7 +125,7 @@ impl<I: TangentIntegrator> Prober<'_, I> {
             made?;
             change.set_entries(|i| self.dual.entry(i).derivative() - probe.entry(i));
             let sizes = BlockScales::of(&change);
-            for a in 0..StateOf::<I>::BLOCKS {
+            for a in 0..state.blocks() {
                 couplings.include(a, b, sizes.at(a) / length);
             }
         }
@@ -140,7 +140,7 @@ impl<I: TangentIntegrator> Prober<'_, I> {
     ) {
         let mut probe = state.zeros_like();
         let mut image = Integrator::<f64>::momentum(self.integrator, state).zeros_like();
-        for (b, number) in probes(StateOf::<I>::BLOCKS) {
+        for (b, number) in probes(state.blocks()) {
             set_probe(&mut probe, b, number, 1.0);
             let length = BlockScales::of(&probe).at(b);
             let unit = scales.state.at(b) / length;
@@ -149,7 +149,7 @@ impl<I: TangentIntegrator> Prober<'_, I> {
             image.set_entries(|i| moved.entry(i).derivative());
             scales.momentum.include(&image);
         }
-        for block in 0..MomentumOf::<I>::BLOCKS {
+        for block in 0..image.blocks() {
             if !scales.momentum.at(block).is_normal() {
                 scales.momentum.set(block, 1.0);
             }

@@ -125,7 +125,7 @@ fn scales_of<V: Vector<Scalar = f64>>(
 ) -> BlockScales<V> {
     let mut sizes = BlockScales::of(z);
     sizes.include(image);
-    natural_scales(&sizes, |a, b| {
+    natural_scales(V::BLOCKS, &sizes, |a, b| {
         let change = |i: usize, j: usize| tangent[(i, j)] - if i == j { 1.0 } else { 0.0 };
         let of = |block| (0..V::DIM).filter(move |&i| V::block(i) == block);
         let entries = of(a).flat_map(|i| of(b).map(move |j| (i, j)));

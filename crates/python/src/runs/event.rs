@@ -1,11 +1,10 @@
 //! Functions of the state whose zeros are found along a run: [`Event`].
 
-use super::schedule::{MOST_DIMENSIONS, coordinates};
+use crate::arrays::{numbers, state_of};
 use crate::errors::{IntegrationError, failed, message};
 use crate::formulas::FormulaSource;
-use collective_integrators::{Direction, EventError, EventSearch, Integrator};
+use collective_integrators::{AnyIntegrator, AnyState, Direction, EventError, EventSearch};
 use heavytop::PrincipalAxes;
-use lie_poisson::{Se3Dual, Vector};
 use lie_poisson_formulas::{Formula, Vocabulary};
 use pyo3::exceptions::PyValueError;
 use pyo3::{PyErr, PyResult};
@@ -46,22 +45,16 @@ impl Event {
     }
 
     /// Returns the search for the event along a run of an integrator.
-    pub(crate) fn search<'a, I>(
+    pub(crate) fn search<'a>(
         &'a self,
-        integrator: &'a I,
-    ) -> EventSearch<'a, I, impl Fn(&I::Momentum) -> f64 + use<'a, I>>
-    where
-        I: Integrator<Momentum: Vector<Scalar = f64>>,
-    {
-        let function = |mu: &I::Momentum| {
-            let mut state = [0.0; MOST_DIMENSIONS];
-            let dimension = self.function.dimension();
-            if let Some(axes) = &self.axes {
-                let principal: Se3Dual = Vector::from_coordinates(|i| mu.coordinate(i));
-                let given = axes.state_from_principal(&principal);
-                return self.function.value_at(coordinates(&given, &mut state, dimension));
+        integrator: &'a AnyIntegrator,
+    ) -> EventSearch<'a, AnyIntegrator, impl Fn(&AnyState) -> f64 + use<'a>> {
+        let function = |mu: &AnyState| match &self.axes {
+            Some(axes) => {
+                let given = axes.state_from_principal(&state_of(mu.as_slice()));
+                self.function.value_at(&numbers(&given))
             }
-            self.function.value_at(coordinates(mu, &mut state, dimension))
+            None => self.function.value_at(mu.as_slice()),
         };
         let search = EventSearch::new(integrator, function, self.direction);
         match self.function.period() {

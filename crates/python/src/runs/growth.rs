@@ -3,12 +3,9 @@
 use super::schedule::Schedule;
 use crate::errors::message;
 use collective_integrators::{
-    Integrator, Megno, Start, TangentIntegrator, VariationalFlow, smaller_alignment_index,
+    AnyIntegrator, AnyTangents, Megno, Start, VariationalFlow, smaller_alignment_index,
 };
 use core::sync::atomic::{AtomicBool, Ordering};
-use heavytop::methods::TangentTask;
-use lie_poisson::{Se3Dual, Vector};
-use lie_poisson_formula_systems::SystemTask;
 
 /// The number of steps after which a run looks for a request to stop.
 const BETWEEN_REQUESTS: u64 = 1 << 10;
@@ -28,14 +25,6 @@ pub(crate) enum Tangents {
 const NO_TANGENTS: &str =
     "a collective integrator has tangent vectors of another space, with its fibres";
 
-/// Returns whether the states of an integrator are momenta, so that its tangent vectors are those of momenta.
-const fn has_tangents_of_momenta<I>() -> bool
-where
-    I: Integrator<State: Vector, Momentum: Vector>,
-{
-    <I::State as Vector>::DIM == <I::Momentum as Vector>::DIM
-}
-
 /// The growth of tangent vectors along a run.
 #[derive(Clone, Default)]
 pub(crate) struct Growth {
@@ -51,7 +40,7 @@ pub(crate) struct Growth {
     pub(crate) end: Vec<f64>,
 }
 
-/// The task of following tangent vectors.
+/// How tangent vectors are followed.
 pub(crate) struct GrowthTask<'a> {
     pub(crate) schedule: &'a Schedule,
     /// The number of steps between two records; 0 records the end alone.
@@ -61,46 +50,26 @@ pub(crate) struct GrowthTask<'a> {
     pub(crate) tangents: Tangents,
 }
 
-impl TangentTask for GrowthTask<'_> {
-    type Output = Result<Growth, String>;
-
-    fn perform<I>(self, integrator: &I) -> Self::Output
-    where
-        I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
-    {
-        self.grow(integrator)
-    }
-}
-
-impl SystemTask for GrowthTask<'_> {
-    type Output = Result<Growth, String>;
-
-    fn perform<I>(self, integrator: &I) -> Self::Output
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    {
-        self.grow(integrator)
-    }
-}
+/// An integrator with tangent maps.
+type Motion = AnyIntegrator<dyn AnyTangents>;
 
 impl GrowthTask<'_> {
     /// Follows the tangent vectors, in a space that may be completed to 3, 6, 10 or 15 dimensions.
-    fn grow<I>(&self, integrator: &I) -> Result<Growth, String>
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    {
-        // The compiler makes no code for branches that a constant excludes.
-        if const { !has_tangents_of_momenta::<I>() } {
+    ///
+    /// # Errors
+    /// Returns the reason why the integrator has no such tangent vectors, or why a step fails.
+    pub(crate) fn grow(&self, integrator: &Motion) -> Result<Growth, String> {
+        if !integrator.states_are_momenta() {
             return Err(NO_TANGENTS.into());
         }
         match self.tangents {
-            Tangents::One => self.follow::<I, 1>(integrator),
-            Tangents::Two => self.follow::<I, 2>(integrator),
-            Tangents::All => match const { <<I as Integrator>::Momentum as Vector>::DIM } {
-                3 => self.follow::<I, 3>(integrator),
-                6 => self.follow::<I, 6>(integrator),
-                10 => self.follow::<I, 10>(integrator),
-                _ => self.follow::<I, 15>(integrator),
+            Tangents::One => self.follow::<1>(integrator),
+            Tangents::Two => self.follow::<2>(integrator),
+            Tangents::All => match integrator.state_dimension() {
+                3 => self.follow::<3>(integrator),
+                6 => self.follow::<6>(integrator),
+                10 => self.follow::<10>(integrator),
+                _ => self.follow::<15>(integrator),
             },
         }
     }
@@ -109,19 +78,15 @@ impl GrowthTask<'_> {
     ///
     /// # Errors
     /// Returns the reason why a step fails.
-    fn follow<I, const K: usize>(&self, integrator: &I) -> Result<Growth, String>
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    {
+    fn follow<const K: usize>(&self, integrator: &Motion) -> Result<Growth, String> {
         let (Schedule { start, step, steps }, tangents) = (self.schedule, self.tangents);
-        let state = Start::<f64>::start(integrator, &self.schedule.start())
-            .map_err(|error| message(&error))?;
+        let state = integrator.start(&self.schedule.start()).map_err(|error| message(&error))?;
         // The space may be completed by coordinates that stay zero.
         let dimension = start.len();
         let mut flow = VariationalFlow::<_, K>::generic(integrator, state, dimension, *step);
         let (mut sums, mut megno, mut growth) = ([0.0; K], Megno::default(), Growth::default());
         let kept = if tangents == Tangents::All { K.min(dimension) } else { 1 };
-        let stretch = |flow: &mut VariationalFlow<'_, I, K>| {
+        let stretch = |flow: &mut VariationalFlow<'_, Motion, K>| {
             if tangents == Tangents::Two { flow.normalise() } else { flow.orthonormalise() }
         };
         // Lengths at the start do not count as stretches.
@@ -147,7 +112,7 @@ impl GrowthTask<'_> {
         if tangents != Tangents::Two {
             growth.sali.clear();
         }
-        growth.end = self.schedule.coordinates(&flow.momentum()).collect();
+        growth.end = flow.momentum().as_slice().to_vec();
         Ok(growth)
     }
 }

@@ -1,12 +1,13 @@
-//! The task of recording a run: times, states, conserved quantities, attitudes, events.
+//! The recording of a run: times, states, conserved quantities, attitudes, events.
 
 use super::event::{Event, event_failed};
 use super::interruption::Interruption;
 use super::record::Record;
 use super::schedule::Schedule;
 use crate::errors::{IntegrationError, failed};
-use collective_integrators::{EventError, EventSearch, Integrator, SampleOf, Trajectory};
-use lie_poisson::{Quaternion, Vector};
+use collective_integrators::{
+    AnyIntegrator, AnyState, EventError, EventSearch, SampleOf, Trajectory,
+};
 use pyo3::PyResult;
 
 /// Functions of the state that are recorded.
@@ -15,37 +16,36 @@ pub(crate) trait Quantities {
     fn count(&self) -> usize;
 
     /// Appends the values of the quantities at a state.
-    fn append<M: Vector<Scalar = f64>>(&self, mu: &M, values: &mut Vec<f64>);
+    fn append(&self, mu: &[f64], values: &mut Vec<f64>);
 
     /// Returns the reason why a quantity has no finite value at a state.
-    fn without_value<M: Vector<Scalar = f64>>(&self, mu: &M) -> String;
+    fn without_value(&self, mu: &[f64]) -> String;
 }
 
-/// The task of recording every n-th sample of a run, and the last one.
-pub(crate) struct Recording<'a, Q> {
+/// A sample of a run.
+type Sample = SampleOf<AnyIntegrator>;
+
+/// The recording of every n-th sample of a run, and of the last one.
+pub(crate) struct Recording<'a> {
     pub(crate) schedule: &'a Schedule,
     pub(crate) every: u64,
-    pub(crate) quantities: Q,
+    pub(crate) quantities: &'a (dyn Quantities + Sync),
     pub(crate) events: &'a [Event],
-    /// Whether the attitude is recorded.
+    /// Whether the attitude is recorded, which is in the last four coordinates of the states.
     pub(crate) attitude: bool,
 }
 
-impl<Q: Quantities> Recording<'_, Q> {
-    /// Records a run of an integrator whose states may have an attitude. It ends where a step fails, or where a quantity or
+impl Recording<'_> {
+    /// Records a run of an integrator. It ends where a step fails, or where a quantity or
     /// an event has no value.
     ///
     /// # Errors
     /// Returns `ValueError` if an event has no value at the start, `MemoryError`, and `KeyboardInterrupt`.
-    pub(crate) fn follow<I>(
+    pub(crate) fn follow(
         &self,
-        integrator: &I,
-        run: Trajectory<'_, I>,
-        attitude: impl Fn(&I::State) -> Option<&Quaternion>,
-    ) -> PyResult<Record>
-    where
-        I: Integrator<State: Vector, Momentum: Vector<Scalar = f64>>,
-    {
+        integrator: &AnyIntegrator,
+        run: Trajectory<'_, AnyIntegrator>,
+    ) -> PyResult<Record> {
         let samples = (self.schedule.steps / self.every).saturating_add(2);
         let attitude_width = if self.attitude { 4 } else { 0 };
         let widths = [self.schedule.start.len(), self.quantities.count(), attitude_width];
@@ -62,7 +62,7 @@ impl<Q: Quantities> Recording<'_, Q> {
                 }
             };
             record.iterations += sample.iterations as u64;
-            let end = match self.observe::<I, _>(&mut searches, &sample, &mut record) {
+            let end = match self.observe(&mut searches, &sample, &mut record) {
                 Ok(end) => end,
                 Err(error) if sample.step == 0 => return Err(event_failed(error, true)),
                 Err(error) => {
@@ -72,12 +72,12 @@ impl<Q: Quantities> Recording<'_, Q> {
             };
             let (last, whole) = (self.schedule.steps, sample.step.is_multiple_of(self.every));
             if end.is_none() && (whole || sample.step >= last) {
-                self.keep::<I>(&sample, &attitude, &mut record);
+                self.keep(&sample, &mut record);
             }
             if let Some(end) = &end {
                 record.cut(end.time, widths);
                 if record.samples.times.last() != Some(&end.time) {
-                    self.keep::<I>(end, &attitude, &mut record);
+                    self.keep(end, &mut record);
                 }
             }
             if end.is_some() || sample.step >= last || record.failure.is_some() {
@@ -88,17 +88,13 @@ impl<Q: Quantities> Recording<'_, Q> {
     }
 
     /// Adds the events that a sample completes, and returns the one that ends the run, if any.
-    fn observe<I, G>(
+    fn observe(
         &self,
-        searches: &mut [EventSearch<'_, I, G>],
-        sample: &SampleOf<I>,
+        searches: &mut [EventSearch<'_, AnyIntegrator, impl Fn(&AnyState) -> f64>],
+        sample: &Sample,
         record: &mut Record,
-    ) -> Result<Option<SampleOf<I>>, (usize, EventError)>
-    where
-        I: Integrator<State: Vector, Momentum: Vector<Scalar = f64>>,
-        G: Fn(&I::Momentum) -> f64,
-    {
-        let mut end: Option<SampleOf<I>> = None;
+    ) -> Result<Option<Sample>, (usize, EventError)> {
+        let mut end: Option<Sample> = None;
         for (index, search) in searches.iter_mut().enumerate() {
             let found = search.observe(sample).map_err(|error| (index, error))?;
             let (Some(points), Some(event)) =
@@ -108,7 +104,7 @@ impl<Q: Quantities> Recording<'_, Q> {
             };
             for occurrence in found.into_iter().flatten() {
                 points.times.push(occurrence.time);
-                points.states.extend(self.schedule.coordinates(&occurrence.momentum));
+                points.states.extend_from_slice(occurrence.momentum.as_slice());
                 let is_last = points.times.len() as u64 == event.last;
                 if is_last && end.as_ref().is_none_or(|end| occurrence.time.abs() < end.time.abs())
                 {
@@ -121,15 +117,8 @@ impl<Q: Quantities> Recording<'_, Q> {
     }
 
     /// Keeps a sample. If a quantity has no finite value there, the run has failed, and only its start is kept.
-    fn keep<I>(
-        &self,
-        sample: &SampleOf<I>,
-        attitude: &impl Fn(&I::State) -> Option<&Quaternion>,
-        record: &mut Record,
-    ) where
-        I: Integrator<State: Vector, Momentum: Vector<Scalar = f64>>,
-    {
-        let (momentum, before) = (&sample.momentum, record.values.len());
+    fn keep(&self, sample: &Sample, record: &mut Record) {
+        let (momentum, before) = (sample.momentum.as_slice(), record.values.len());
         self.quantities.append(momentum, &mut record.values);
         if record.values.iter().skip(before).any(|value| !value.is_finite()) {
             let reason = self.quantities.without_value(momentum);
@@ -141,9 +130,10 @@ impl<Q: Quantities> Recording<'_, Q> {
             }
         }
         record.samples.times.push(sample.time);
-        record.samples.states.extend(self.schedule.coordinates(momentum));
-        if let Some(Quaternion { scalar, vector }) = attitude(&sample.state) {
-            record.attitudes.extend([*scalar, vector.x, vector.y, vector.z]);
+        record.samples.states.extend_from_slice(momentum);
+        if let Some(attitude) = sample.state.as_slice().last_chunk::<4>().filter(|_| self.attitude)
+        {
+            record.attitudes.extend_from_slice(attitude);
         }
     }
 }

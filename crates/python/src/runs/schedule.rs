@@ -1,7 +1,6 @@
 //! The state at t = 0, and equal steps to an end after or before it: [`Schedule`].
 
-use lie_poisson::Vector;
-use lie_poisson_formula_systems::SystemAlgebra;
+use collective_integrators::AnyState;
 use pyo3::exceptions::PyValueError;
 use pyo3::{PyErr, PyResult};
 
@@ -10,9 +9,6 @@ const MOST_STEPS: f64 = 1e12;
 
 /// The largest distance of the end from a whole number of steps, relative to the end.
 const SLACK: f64 = 1e-9;
-
-/// The largest dimension of a space.
-pub(crate) const MOST_DIMENSIONS: usize = SystemAlgebra::MOST_DIMENSIONS;
 
 /// The state at t = 0, and the steps of a run.
 #[derive(Clone, Debug)]
@@ -31,26 +27,10 @@ impl Schedule {
         Ok(Self { start, step, steps: steps(step, end)? })
     }
 
-    /// Returns the state at t = 0; coordinates that it does not have are zero.
-    pub(crate) fn start<M: Vector<Scalar = f64>>(&self) -> M {
-        M::from_coordinates(|i| self.start.get(i).copied().unwrap_or(0.0))
+    /// Returns the state at t = 0.
+    pub(crate) fn start(&self) -> AnyState {
+        AnyState::from_slice(&self.start)
     }
-
-    /// Returns the coordinates of a state, without those that the start does not have.
-    pub(crate) fn coordinates<M: Vector<Scalar = f64>>(&self, mu: &M) -> impl Iterator<Item = f64> {
-        (0..self.start.len()).map(|i| mu.coordinate(i))
-    }
-}
-
-/// Copies the first coordinates of a momentum; others that follow are zero.
-pub(crate) fn coordinates<'a, M: Vector<Scalar = f64>>(
-    mu: &M,
-    all: &'a mut [f64; MOST_DIMENSIONS],
-    dimension: usize,
-) -> &'a [f64] {
-    let kept = all.get_mut(..dimension).unwrap_or_default();
-    kept.iter_mut().enumerate().for_each(|(i, x)| *x = mu.coordinate(i));
-    kept
 }
 
 /// Returns the number of steps from 0 to the end. Both are negative for a run backward in time.

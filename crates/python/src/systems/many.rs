@@ -1,7 +1,6 @@
 //! Many states of one system at once, on all threads.
 
 use super::system::{MethodArgument, System};
-use super::tasks::{End, Ends};
 use crate::arrays::rows;
 use crate::errors::message;
 use crate::recorded::Indicators;
@@ -9,9 +8,10 @@ use crate::runs::growth::GrowthTask;
 use crate::runs::interruption::until_interrupted;
 use crate::runs::schedule::{Schedule, steps};
 use crate::tops::chaos::tangents_named;
-use core::sync::atomic::Ordering;
+use collective_integrators::{AnyIntegrator, AnyState, CHECKPOINT, Start};
+use core::sync::atomic::{AtomicBool, Ordering};
 use heavytop::methods::Formulation;
-use lie_poisson_formula_systems::SystemMethod;
+use lie_poisson_formula_systems::{FormulaSystem, SystemMethod};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::{Bound, PyRef, PyResult, Python, pyfunction};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -40,14 +40,7 @@ pub fn advance_system<'py>(
         && SystemMethod::default_formulation(system.algebra()) != Formulation::Collective;
     let shared = if is_clebsch { 1 } else { SHARED };
     let ends: Vec<Vec<End>> = until_interrupted(py, |stop| {
-        let some = |starts: &[Vec<f64>]| {
-            let task = Ends { system, starts, step, steps, stop };
-            let first = starts.first().map(Vec::as_slice).unwrap_or_default();
-            method.integrate(system, first, task).unwrap_or_else(|error| {
-                let failed = |start: &Vec<f64>| (start.clone(), Some(message(&error)));
-                starts.iter().map(failed).collect()
-            })
-        };
+        let some = |starts: &[Vec<f64>]| Ends { system, starts, step, steps, stop }.all(&method);
         starts.par_chunks(shared).map(some).collect()
     })?;
     let ends = ends.into_iter().flatten();
@@ -57,6 +50,61 @@ pub fn advance_system<'py>(
         failures.extend(failure.map(|message| (index, message)));
     }
     Ok((rows(py, last, [starts.len(), system.algebra().dimension()])?, failures))
+}
+
+/// The end of a run, or the last state and the reason why the next step fails.
+type End = (Vec<f64>, Option<String>);
+
+/// Several starts that are followed to the end, one after the other.
+struct Ends<'a> {
+    system: &'a FormulaSystem,
+    starts: &'a [Vec<f64>],
+    step: f64,
+    steps: u64,
+    /// Set by others if the task is to end.
+    stop: &'a AtomicBool,
+}
+
+impl Ends<'_> {
+    /// Follows the starts by the integrator of the first.
+    fn all(&self, method: &SystemMethod) -> Vec<End> {
+        let first = self.starts.first().map(Vec::as_slice).unwrap_or_default();
+        match method.integrator(self.system, first) {
+            Ok(integrator) => {
+                let integrator = integrator.without_tangents();
+                self.starts.iter().map(|start| self.end(&integrator, start)).collect()
+            }
+            Err(error) => {
+                let failed = |start: &Vec<f64>| (start.clone(), Some(message(&error)));
+                self.starts.iter().map(failed).collect()
+            }
+        }
+    }
+
+    fn end(&self, integrator: &AnyIntegrator, start: &[f64]) -> End {
+        let mut run = match integrator.trajectory(&AnyState::from_slice(start), self.step) {
+            Ok(run) => run,
+            Err(error) => return (start.to_vec(), Some(message(&error))),
+        };
+        let mut last = start.to_vec();
+        // The first sample is the start.
+        run.next();
+        for made in 1..=self.steps {
+            match run.next() {
+                Some(Ok(sample)) => {
+                    last.clear();
+                    last.extend_from_slice(sample.momentum.as_slice());
+                }
+                Some(Err(error)) => return (last, Some(message(&error))),
+                None => break,
+            }
+            if made.is_multiple_of(CHECKPOINT) && self.stop.load(Ordering::Relaxed) {
+                break;
+            }
+        }
+        let reason = self.system.invariants(&last).err();
+        (last, reason.map(|error| message(&error)))
+    }
 }
 
 /// Follows tangent vectors along the run of each state.
@@ -79,7 +127,8 @@ pub fn growth_of_system(
             }
             let schedule = Schedule { start: start.clone(), step, steps };
             let task = GrowthTask { schedule: &schedule, every, stop, tangents };
-            method.integrate(system, start, task).unwrap_or_else(|error| Err(message(&error)))
+            let integrator = method.integrator(system, start).map_err(|error| message(&error))?;
+            task.grow(&integrator)
         };
         starts.par_iter().map(one).collect::<Vec<_>>()
     })?;

@@ -1,17 +1,18 @@
 //! A Lie–Poisson system as a Python class.
 
 use super::algebra::{AlgebraSource, ParameterArgument, parameters};
-use super::tasks::{Invariants, RecordSystem};
+use super::invariants::Invariants;
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::formulas::{FormulaSource, expressions};
 use crate::recorded::Recorded;
 use crate::runs::accuracy::{Accuracy, Check, accuracy, check};
-use crate::runs::dense::StatesAt;
+use crate::runs::dense::states_at;
 use crate::runs::event::{Event, EventArgument};
 use crate::runs::interruption::{Interruption, until_interrupted};
 use crate::runs::recording::Recording;
 use crate::runs::schedule::Schedule;
+use collective_integrators::Start;
 use core::sync::atomic::Ordering;
 use heavytop::methods::MethodError;
 use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemMethod};
@@ -155,13 +156,18 @@ impl System {
             return Err(PyValueError::new_err("every must be at least 1, got 0"));
         }
         let events = Event::all(&events, &self.names, None)?;
-        let quantities = Invariants(&self.system);
+        let quantities = &Invariants(&self.system);
         let recording =
             Recording { schedule: &schedule, every, quantities, events: &events, attitude: false };
-        let task = RecordSystem(recording);
-        let record = py.detach(|| method.integrate(&self.system, &schedule.start, task));
+        let record = py.detach(|| {
+            let integrator = method.integrator(&self.system, &schedule.start).map_err(refused)?;
+            self.system.invariants(&schedule.start).map_err(refused)?;
+            let integrator = integrator.without_tangents();
+            let run = integrator.trajectory(&schedule.start(), step).map_err(refused)?;
+            recording.follow(&integrator, run)
+        })?;
         let widths = [self.system.algebra().dimension(), 1 + self.system.casimirs().len()];
-        Recorded::new(py, record.map_err(refused)??, widths)
+        Recorded::new(py, record, widths)
     }
 
     /// Measures how accurate a run of so many steps is: the angle of a step (rad), the estimated error, and a warning.
@@ -198,9 +204,11 @@ impl System {
         let (start, step, method) = setting;
         let (method, dimension) = (self.method(method)?, start.len());
         let schedule = Schedule { start, step, steps: u64::MAX };
-        let task = StatesAt { schedule: &schedule, times: &times };
-        let states = py.detach(|| method.integrate(&self.system, &schedule.start, task));
-        rows(py, states.map_err(refused)??, [times.len(), dimension])
+        let states = py.detach(|| {
+            let integrator = method.integrator(&self.system, &schedule.start).map_err(refused)?;
+            states_at(&integrator.without_tangents(), &schedule, &times)
+        })?;
+        rows(py, states, [times.len(), dimension])
     }
 }
 

@@ -49,8 +49,9 @@ pub fn growth_of_tops(
             let schedule = Schedule { start: start.to_vec(), step, steps };
             let task = GrowthTask { schedule: &schedule, every, stop, tangents };
             let top = of(index).ok_or("there is no top")?;
-            let grown = method.differentiate(&top.top, task);
-            let mut grown = grown.unwrap_or_else(|error| Err(message(&error)))?;
+            let integrator =
+                method.tangent_integrator(&top.top).map_err(|error| message(&error))?;
+            let mut grown = task.grow(&integrator)?;
             top.give(&mut grown.end);
             Ok(grown)
         };

@@ -1,16 +1,18 @@
 //! The heavy top as a Python class.
 
 use super::body::{BodyArguments, InertiaArgument};
-use super::tasks::{Invariants, RecordTop};
+use super::invariants::Invariants;
 use crate::arrays::{numbers, read_rows, rows, state};
 use crate::errors::refused;
 use crate::recorded::Recorded;
 use crate::runs::accuracy::{Accuracy, Check, accuracy, check};
-use crate::runs::dense::StatesAt;
+use crate::runs::dense::states_at;
 use crate::runs::event::{Event, EventArgument};
 use crate::runs::interruption::Interruption;
+use crate::runs::record::Record;
 use crate::runs::recording::Recording;
 use crate::runs::schedule::Schedule;
+use collective_integrators::{Integrator, Start};
 use heavytop::methods::{Method, MethodError};
 use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
 use lie_poisson::{Covector, Pair, Quaternion, Se3, Se3Dual};
@@ -20,6 +22,9 @@ use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::types::{PyAnyMethods, PyType};
 use pyo3::{Bound, PyResult, Python, pyclass, pymethods};
+
+/// The reason why a formulation has no attitude.
+const NO_ATTITUDE: &str = "direct has no attitude: its six equations do not determine it; collective, reduced and splitting have one";
 
 /// A heavy top: a rigid body that turns about a fixed point, under gravity.
 #[pyclass(frozen, module = "heavytop._native", from_py_object)]
@@ -235,7 +240,7 @@ impl Top {
         let (list, events) =
             (self.top.invariants_from(&first), Event::all(&events, &names()?, turned)?);
         let (attitude, initial) = attitude;
-        let quantities = Invariants { top: &self.top, list: &list };
+        let quantities = &Invariants { top: &self.top, list: &list };
         let recording =
             Recording { schedule: &schedule, every, quantities, events: &events, attitude };
         let initial_attitude =
@@ -244,8 +249,8 @@ impl Top {
         let shortest = turned.map(|_| attitude_of_vertical(&state(start).0.1));
         let initial_attitude =
             initial_attitude.or(shortest).map(|q| self.axes.attitude_to_principal(&q));
-        let task = RecordTop { recording, initial_attitude };
-        let mut record = py.detach(|| method.integrate(&self.top, task)).map_err(refused)??;
+        let record = || self.record(&method, &recording, initial_attitude);
+        let mut record = py.detach(record)?;
         self.give(&mut record.samples.states);
         record.events.iter_mut().for_each(|points| self.give(&mut points.states));
         if turned.is_some() {
@@ -296,14 +301,40 @@ impl Top {
         let method = made(method)?;
         let start = numbers(&self.principal(start)?).into();
         let schedule = Schedule { start, step, steps: u64::MAX };
-        let task = StatesAt { schedule: &schedule, times: &times };
-        let mut states = py.detach(|| method.integrate(&self.top, task)).map_err(refused)??;
+        let mut states = py.detach(|| {
+            let integrator = method.integrator(&self.top).map_err(refused)?;
+            states_at(&integrator, &schedule, &times)
+        })?;
         self.give(&mut states);
         rows(py, states, [times.len(), 6])
     }
 }
 
 impl Top {
+    /// Records a run by a method, from an attitude; without one, from the shortest rotation of Γ to the vertical.
+    fn record(
+        &self,
+        method: &Method,
+        recording: &Recording<'_>,
+        initial_attitude: Option<Quaternion>,
+    ) -> PyResult<Record> {
+        let (start, step) = (recording.schedule.start(), recording.schedule.step);
+        if !recording.attitude {
+            let integrator = method.integrator(&self.top).map_err(refused)?;
+            let run = integrator.trajectory(&start, step).map_err(refused)?;
+            return recording.follow(&integrator, run);
+        }
+        let integrator = method.integrator_with_attitude(&self.top).map_err(refused)?;
+        let integrator = integrator.ok_or_else(|| PyValueError::new_err(NO_ATTITUDE))?;
+        let mut state = integrator.start(&start).map_err(refused)?;
+        let given = initial_attitude.zip(state.as_mut_slice().last_chunk_mut::<4>());
+        if let Some((Quaternion { scalar, vector }, last)) = given {
+            *last = [scalar, vector.x, vector.y, vector.z];
+        }
+        let run = integrator.trajectory_from(state, step).through(start);
+        recording.follow(&integrator, run)
+    }
+
     /// Returns the quantities that this top conserves from each of the states.
     fn conserved(&self, states: &[[f64; 6]]) -> Vec<Invariant> {
         let from = |given: &[f64; 6]| self.top.invariants_from(&self.in_axes(given));

@@ -146,6 +146,13 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
         }
     }
 
+    /// Returns the number of blocks that the vector has: [`BLOCKS`](Self::BLOCKS), or fewer if that is known only when the
+    /// program runs. The blocks that it lacks are the last ones.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn blocks(&self) -> usize {
+        Self::BLOCKS
+    }
+
     /// Returns the block of the i-th coordinate, a number below [`BLOCKS`](Self::BLOCKS). The default is 0.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn block_of(&self, _i: usize) -> usize {

@@ -1,43 +1,13 @@
 //! Errors of systems from formulas, of their algebras, methods and sections.
 
 use super::refused;
-use collective_integrators::{Direction, Start, StepError};
+use collective_integrators::{AnyState, Direction, Start, StepError};
 use heavytop::methods::{Formulation, SchemeName};
-use lie_poisson::{So3, Vector};
+use lie_poisson::So3;
 use lie_poisson_formula_systems::{
-    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemMethod, SystemSection, SystemTask,
-    structure_table,
+    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemMethod, SystemSection, structure_table,
 };
 use lie_poisson_formulas::{Coordinates, Parameters, StructureEntry, find_casimirs};
-
-/// A task that does nothing.
-struct Nothing;
-
-impl SystemTask for Nothing {
-    type Output = ();
-
-    fn perform<I>(self, _: &I)
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
-    {
-    }
-}
-
-/// One step of ½.
-struct OneStep<'a>(&'a [f64]);
-
-impl SystemTask for OneStep<'_> {
-    type Output = Result<(), StepError>;
-
-    fn perform<I>(self, integrator: &I) -> Self::Output
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
-    {
-        let start = Vector::from_coordinates(|i| self.0.get(i).copied().unwrap_or(0.0));
-        let end = integrator.trajectory(&start, 0.5).unwrap().nth(1).unwrap();
-        end.map(|_| ()).map_err(|error| error.source)
-    }
-}
 
 type Outcome<T> = Result<T, FormulaSystemError>;
 
@@ -96,7 +66,7 @@ pub fn systems_and_states() -> Vec<String> {
         let tiny = FormulaSystem::new(tiny?, "x^2 + z", &Parameters::new())?;
         let collective = Formulation::Collective;
         let method = SystemMethod::new(tiny.algebra(), collective, SchemeName::Gauss(2), 0.0)?;
-        method.integrate(&tiny, &state, Nothing)
+        method.integrator(&tiny, &state).map(drop)
     };
     // y/x² is a Casimir, but no polynomial; z is another one.
     let section_on_another_orbit = || -> Outcome<_> {
@@ -117,8 +87,14 @@ pub fn systems_and_states() -> Vec<String> {
         let (collective, rk4) = (Formulation::Collective, SchemeName::Rk4);
         let method = SystemMethod::new(hill.algebra(), collective, rk4, 0.0)?;
         // control: where the energy is smooth, the same step is made
-        assert_eq!(method.integrate(&hill, &[3.0, 0.5], OneStep(&[3.0, 0.5]))?, Ok(()));
-        method.integrate(&hill, &[1.1, 0.5], OneStep(&[1.1, 0.5]))
+        let step = |start: [f64; 2]| -> Outcome<Result<(), StepError>> {
+            let integrator = method.integrator(&hill, &start)?.without_tangents();
+            let run = integrator.trajectory(&AnyState::from_slice(&start), 0.5).unwrap();
+            let end = run.skip(1).next().unwrap();
+            Ok(end.map(|_| ()).map_err(|error| error.source))
+        };
+        assert_eq!(step([3.0, 0.5])?, Ok(()));
+        step([1.1, 0.5])
     };
     // A program may look for the Casimirs of a system before it makes the system.
     let casimirs =

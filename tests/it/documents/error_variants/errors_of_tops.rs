@@ -1,24 +1,15 @@
 //! Errors of tops, their methods and their sections.
 
 use super::refused;
-use collective_integrators::{Direction, Start};
-use heavytop::methods::{Formulation, Method, MethodError, SchemeName, Task};
+use collective_integrators::Direction;
+use heavytop::methods::{Formulation, Method, MethodError, SchemeName};
 use heavytop::{
     Body, Coordinate, EnergyLevel, HeavyTop, JacobiElliptic, LagrangeNutation, PrincipalAxes,
     Section, Surface, SymmetricTopSplitting, require_unit,
 };
-use lie_poisson::{InstructionSet, MissingInstructions, Se3Dual, Vector};
+use lie_poisson::{InstructionSet, MissingInstructions};
 use nalgebra::{Matrix3, Vector3};
 use workspace_tests::tops;
-
-/// A task that does nothing.
-struct Nothing;
-
-impl Task for Nothing {
-    type Output = ();
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, _: &I) {}
-}
 
 /// Returns a method by the names of its formulation and its scheme, on an instruction set.
 fn method(formulation: &str, scheme: &str, set: InstructionSet) -> Result<Method, MethodError> {
@@ -79,7 +70,7 @@ pub fn errors() -> Vec<String> {
         refused(method("direct", "stormer-verlet", portable)),
         refused(Method::new(Formulation::Direct, SchemeName::Rk4, -1.0)),
         missing_instructions(),
-        refused(no_stages.integrate(&top, Nothing)),
+        refused(no_stages.integrator(&top).map(drop)),
         refused(section(f64::NAN, 0.0)),
         refused(of_rod),
         refused(section(1.0, -1.0)),

@@ -160,7 +160,7 @@ fn measure(
     reference: &Reference,
 ) -> Result<Measurement, Error> {
     let task = Measure { top: &experiment.top, start: &experiment.start, steps, reference };
-    let outcome = method.integrate(&experiment.top, task)??;
+    let outcome = task.of(&method)?;
     Ok(Measurement { method, step: reference.end / steps as f64, end: reference.end, outcome })
 }
 

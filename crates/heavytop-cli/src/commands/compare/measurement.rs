@@ -3,10 +3,10 @@
 use crate::Error;
 use crate::runs::Experiment;
 use crate::supervision::Watch;
-use collective_integrators::{IntegrationError, Start};
-use heavytop::methods::{Formulation, Method, SchemeName, Task};
+use collective_integrators::{AnyIntegrator, AnyState, IntegrationError, Start};
+use heavytop::methods::{Formulation, Method, SchemeName};
 use heavytop::{HeavyTop, Invariant};
-use lie_poisson::{BlockScales, Se3Dual, Vector, larger};
+use lie_poisson::{BlockScales, Se3Dual, State, Vector, larger};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -113,7 +113,7 @@ impl Reference {
     }
 }
 
-/// The task of measuring an integrator.
+/// What an integrator is measured on.
 pub(super) struct Measure<'a> {
     /// The top to follow.
     pub top: &'a HeavyTop,
@@ -125,13 +125,13 @@ pub(super) struct Measure<'a> {
     pub reference: &'a Reference,
 }
 
-impl Task for Measure<'_> {
-    type Output = Result<Outcome, Error>;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
-        self,
-        integrator: &I,
-    ) -> Result<Outcome, Error> {
+impl Measure<'_> {
+    /// Measures the integrator of a method.
+    ///
+    /// # Errors
+    /// If there is no such integrator, or no state represents the start.
+    pub(super) fn of(&self, method: &Method) -> Result<Outcome, Error> {
+        let integrator = &method.integrator(self.top)?;
         let initial = self.values(self.start);
         let mut deviations = [0.0; QUANTITIES.len()];
         let last = self.follow(integrator, |mu| {
@@ -163,24 +163,22 @@ impl Task for Measure<'_> {
             deviations,
         })
     }
-}
 
-impl Measure<'_> {
     fn values(&self, mu: &Se3Dual) -> [f64; QUANTITIES.len()] {
         QUANTITIES.map(|quantity| quantity.value(self.top, mu))
     }
 
     /// Follows a run to its last (Π, Γ), unless a step fails; `visit` receives every state.
-    fn follow<I: Start<State: Vector, Momentum = Se3Dual>>(
+    fn follow(
         &self,
-        integrator: &I,
+        integrator: &AnyIntegrator,
         mut visit: impl FnMut(&Se3Dual),
     ) -> Result<Result<Se3Dual, IntegrationError>, Error> {
         let step = self.reference.end / self.steps as f64;
-        let mut last = *self.start;
-        for sample in integrator.trajectory(self.start, step)?.take(self.steps as usize + 1) {
+        let (mut last, start) = (*self.start, AnyState::of(self.start));
+        for sample in integrator.trajectory(&start, step)?.take(self.steps as usize + 1) {
             match sample {
-                Ok(sample) => last = sample.momentum,
+                Ok(sample) => last = Vector::from_coordinates(|i| sample.momentum.entry(i)),
                 Err(failure) => return Ok(Err(failure)),
             }
             visit(&last);
@@ -226,7 +224,7 @@ mod tests {
             let method = Method::new(formulation, scheme, 0.0)?;
             let task = Measure { top, start, steps, reference: &reference };
             let Outcome { error, parts: [pi, gamma], relative, deviations: [h, f1, f2], .. } =
-                method.integrate(top, task)??;
+                task.of(&method)?;
             found.push([error, relative, pi / momentum, gamma, h / energy, f1, f2 / momentum]);
         }
         Ok(found)

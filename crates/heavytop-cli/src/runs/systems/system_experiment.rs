@@ -1,15 +1,14 @@
 //! A run of a Lie–Poisson system, row by row.
 
 use crate::Error;
-use crate::runs::moment::{Coordinates, Saved};
+use crate::runs::moment::Saved;
 use crate::runs::pace::Pace;
 use crate::runs::run_check::RunCheck;
 use crate::runs::schedule::Schedule;
 use crate::runs::visited_samples::visit_samples;
-use collective_integrators::Start;
 use collective_integrators::diagnostics::RunAccuracy;
-use lie_poisson::Vector;
-use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemTask};
+use collective_integrators::{AnyIntegrator, AnyState};
+use lie_poisson_formula_systems::{FormulaSystem, SystemMethod};
 
 /// A Lie–Poisson system, its initial state, and the method and steps of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,14 +30,14 @@ pub struct SystemMoment<'a> {
     pub step: u64,
     /// The numbers of the row.
     pub row: &'a [f64],
-    state: &'a dyn Coordinates,
+    state: &'a AnyState,
 }
 
 impl SystemMoment<'_> {
     /// Returns the data from which the run continues after this moment.
     #[must_use]
     pub fn saved(&self) -> Saved {
-        Saved { step: self.step, state: self.state.coordinates() }
+        Saved { step: self.step, state: self.state.as_slice().to_vec() }
     }
 }
 
@@ -48,7 +47,7 @@ impl SystemExperiment {
     /// # Errors
     /// If there is no such integrator.
     pub fn dimension(&self) -> Result<usize, Error> {
-        Ok(self.method.integrate(&self.system, &self.start, Dimension)?)
+        Ok(self.integrator()?.state_dimension())
     }
 
     /// Passes the rows of the run to `visit`, from the initial one or from the first after a saved one: those that are
@@ -61,8 +60,14 @@ impl SystemExperiment {
     where
         V: FnMut(&SystemMoment<'_>) -> Result<(), Error>,
     {
-        let task = Follow { experiment: self, from, visit: &mut visit };
-        self.method.integrate(&self.system, &self.start, task)?
+        let Self { start, method, pace, .. } = self;
+        let (integrator, names) = (self.integrator()?, (method.formulation(), method.scheme()));
+        let (start, place) = (AnyState::from_slice(start), (*pace, from));
+        let mut row = Vec::new();
+        visit_samples(&integrator, &start, place, names, |sample| {
+            self.fill(&mut row, sample.time, sample.momentum.as_slice())?;
+            visit(&SystemMoment { step: sample.step, row: &row, state: &sample.state })
+        })
     }
 
     /// Measures how accurate the run is, by a repetition of its beginning with half the step. There is no estimate if
@@ -93,15 +98,16 @@ impl SystemExperiment {
         Ok(self.system.invariants(&self.start)?)
     }
 
+    fn integrator(&self) -> Result<AnyIntegrator, Error> {
+        Ok(self.method.integrator(&self.system, &self.start)?.without_tangents())
+    }
+
     /// Replaces `row` by the row of a momentum.
-    fn fill<M>(&self, row: &mut Vec<f64>, time: f64, mu: &M) -> Result<(), Error>
-    where
-        M: Vector<Scalar = f64>,
-    {
+    fn fill(&self, row: &mut Vec<f64>, time: f64, mu: &[f64]) -> Result<(), Error> {
         row.clear();
         row.push(time);
-        row.extend((0..self.start.len()).map(|i| mu.coordinate(i)));
-        let invariants = self.system.invariants(row.get(1..).unwrap_or_default());
+        row.extend_from_slice(mu);
+        let invariants = self.system.invariants(mu);
         let invariants = invariants.map_err(|source| Error::NoValue {
             start: None,
             time,
@@ -109,53 +115,5 @@ impl SystemExperiment {
         })?;
         row.extend(invariants);
         Ok(())
-    }
-}
-
-/// The task of counting the coordinates of a state.
-struct Dimension;
-
-impl SystemTask for Dimension {
-    type Output = usize;
-
-    fn perform<I>(self, _: &I) -> usize
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
-    {
-        I::State::DIM
-    }
-}
-
-/// A function of the moments of a run. As a trait object, so that the integrators are compiled once for all of them.
-type Visit<'a> = &'a mut dyn FnMut(&SystemMoment<'_>) -> Result<(), Error>;
-
-/// The task of following an experiment.
-struct Follow<'a> {
-    experiment: &'a SystemExperiment,
-    from: Option<&'a Saved>,
-    visit: Visit<'a>,
-}
-
-impl SystemTask for Follow<'_> {
-    type Output = Result<(), Error>;
-
-    fn perform<I>(self, integrator: &I) -> Result<(), Error>
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
-    {
-        let SystemExperiment { start, method, pace, .. } = self.experiment;
-        let start = I::Momentum::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));
-        let names = (method.formulation(), method.scheme());
-        let mut row = Vec::new();
-        visit_samples(
-            integrator,
-            &start,
-            (*pace, self.from),
-            names,
-            |step, time, momentum, state| {
-                self.experiment.fill(&mut row, time, momentum)?;
-                (self.visit)(&SystemMoment { step, row: &row, state })
-            },
-        )
     }
 }

@@ -1,7 +1,7 @@
 //! The same steps on each instruction set of this processor: where bits differ, and by how much.
 
-use collective_integrators::Start;
-use heavytop::methods::{Formulation, Method, SchemeName, Task};
+use collective_integrators::{AnyState, Start};
+use heavytop::methods::{Formulation, Method, SchemeName};
 use heavytop::{CollectiveGauss, HeavyTop, TopMidpoint};
 use lie_poisson::{InstructionSet, Se3Dual, Vector, larger};
 use nalgebra::Vector3;
@@ -14,21 +14,13 @@ fn top() -> (HeavyTop, Se3Dual) {
     (HeavyTop::kovalevskaya(1.0, 1.0).unwrap(), start)
 }
 
-/// The states after each of so many steps.
-struct States(Se3Dual, usize);
-
-impl Task for States {
-    type Output = Vec<Se3Dual>;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> Vec<Se3Dual> {
-        let run = integrator.trajectory(&self.0, STEP).unwrap().skip(1).take(self.1);
-        run.map(|sample| sample.unwrap().momentum).collect()
-    }
-}
-
+/// Returns the states after each of so many steps.
 fn states(method: Method, steps: usize) -> Vec<Se3Dual> {
     let (top, start) = top();
-    method.integrate(&top, States(start, steps)).unwrap()
+    let integrator = method.integrator(&top).unwrap();
+    let run = integrator.trajectory(&AnyState::of(&start), STEP).unwrap().skip(1).take(steps);
+    let momentum = |mu: AnyState| Vector::from_coordinates(|i| mu.as_slice()[i]);
+    run.map(|sample| momentum(sample.unwrap().momentum)).collect()
 }
 
 fn bits(states: &[Se3Dual]) -> Vec<[u64; 6]> {

@@ -1,30 +1,26 @@
 //! The estimated error of a run against its true one, that of a run by Gauss's method of order 16 with shorter steps.
 
 use heavytop::HeavyTop;
+use heavytop::collective_integrators::AnyState;
 use heavytop::lie_poisson::Vector;
-use heavytop::methods::{Formulation, Method, SchemeName, Task};
+use heavytop::methods::{Formulation, Method, SchemeName};
 use heavytop::prelude::*;
 use heavytop::{Body, Invariant};
 
 /// The number of samples that are compared.
 const SAMPLES: usize = 64;
 
-/// The task of making a run, and keeping samples at equal distances.
-struct Samples<'a> {
-    start: &'a Se3Dual,
-    step: f64,
-    /// The number of steps between samples.
-    stride: u64,
-}
-
-impl Task for Samples<'_> {
-    type Output = Vec<Se3Dual>;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> Vec<Se3Dual> {
-        let run = integrator.trajectory(self.start, self.step).unwrap();
-        let samples = run.step_by(self.stride as usize).skip(1).take(SAMPLES);
-        samples.map(|sample| sample.unwrap().momentum).collect()
-    }
+/// Makes a run, and keeps samples at equal distances of so many steps.
+fn samples(
+    method: Method,
+    (top, start): (&HeavyTop, &Se3Dual),
+    (step, stride): (f64, u64),
+) -> Vec<Se3Dual> {
+    let integrator = method.integrator(top).unwrap();
+    let run = integrator.trajectory(&AnyState::of(start), step).unwrap();
+    let samples = run.step_by(stride as usize).skip(1).take(SAMPLES);
+    let momentum = |mu: AnyState| Se3Dual::from_coordinates(|i| mu.as_slice()[i]);
+    samples.map(|sample| momentum(sample.unwrap().momentum)).collect()
 }
 
 /// Returns the estimated and the true error of a run; the reference makes `finer` steps for `coarser` of the run.
@@ -37,13 +33,9 @@ fn errors(
     let method = Method::new(formulation, scheme, 0.0).unwrap();
     let reference = Method::new(Formulation::Reduced, SchemeName::Gauss(8), 0.0).unwrap();
     let stride = steps / SAMPLES as u64;
-    let run = method.integrate(top, Samples { start, step, stride }).unwrap();
-    let fine = Samples {
-        start,
-        step: step * coarser as f64 / finer as f64,
-        stride: stride * finer / coarser,
-    };
-    let exact = reference.integrate(top, fine).unwrap();
+    let run = samples(method, (top, start), (step, stride));
+    let fine = (step * coarser as f64 / finer as f64, stride * finer / coarser);
+    let exact = samples(reference, (top, start), fine);
     let size = |of: fn(&Se3Dual) -> f64| exact.iter().map(of).fold(of(start), f64::max);
     let (pi, gamma) = (size(|mu| mu.0.0.norm()), size(|mu| mu.0.1.norm()));
     let relative = |(a, b): (&Se3Dual, &Se3Dual)| {
@@ -121,7 +113,7 @@ fn the_finest_and_the_coarsest_steps_are_what_they_are() {
     let midpoint = Method::new(Formulation::Reduced, SchemeName::ImplicitMidpoint, 0.0).unwrap();
     let coarse = midpoint.accuracy(&top, &start, (0.1, 1000), &|| true).unwrap();
     assert!(coarse.error.unwrap() > 0.5 && coarse.warning().is_some(), "{coarse:?}");
-    let ends = midpoint.integrate(&top, Samples { start: &start, step: 0.1, stride: 15 }).unwrap();
+    let ends = samples(midpoint, (&top, &start), (0.1, 15));
     let f1 = Invariant::VerticalSquared;
     assert!(ends.iter().all(|mu| (f1.value(&top, mu) - 1.0).abs() < 1e-12));
 }

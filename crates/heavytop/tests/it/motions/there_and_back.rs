@@ -1,9 +1,9 @@
 //! Motions backward in time, by negative steps: every method by its name, the events along it, and many tops at once.
 
 use collective_integrators::{
-    BatchIntegrator, DenseOutput, Direction, Ensemble, EventSearch, Start,
+    AnyIntegrator, AnyState, BatchIntegrator, DenseOutput, Direction, Ensemble, EventSearch, Start,
 };
-use heavytop::methods::{Formulation, Method, SchemeName, Task};
+use heavytop::methods::{Formulation, Method, SchemeName};
 use heavytop::{
     Coordinate, EnergyLevel, GaussBatch, HeavyTop, Invariant, MidpointBatch, Section, Surface,
     TopMidpoint,
@@ -19,29 +19,20 @@ fn start() -> Se3Dual {
     Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.6, 0.0, 0.8))
 }
 
-/// The task of going forward by some steps, and backward by as many. Its result is the distance from the start.
-struct ThereAndBack {
-    step: f64,
-    steps: u64,
+/// Returns the momentum with the coordinates of a sample.
+fn momentum(mu: &AnyState) -> Se3Dual {
+    Vector::from_coordinates(|i| mu.as_slice()[i])
 }
 
-impl Task for ThereAndBack {
-    type Output = f64;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> f64 {
-        let Self { step, steps } = self;
-        let there = integrator.after(&start(), step, steps).unwrap();
-        assert_eq!(there.time, steps as f64 * step);
-        let back = integrator.after(&there.momentum, -step, steps).unwrap();
-        assert_eq!(back.time, -there.time);
-        (back.momentum - start()).max_abs()
-    }
-}
-
-/// Returns the distance from the start after going there and back.
+/// Returns the distance from the start after going forward by some steps, and backward by as many.
 fn defect(formulation: Formulation, scheme: SchemeName, step: f64) -> f64 {
-    let task = ThereAndBack { step, steps: (2.0 / step).round() as u64 };
-    Method::new(formulation, scheme, 0.0).unwrap().integrate(&top(), task).unwrap()
+    let steps = (2.0 / step).round() as u64;
+    let integrator = Method::new(formulation, scheme, 0.0).unwrap().integrator(&top()).unwrap();
+    let there = integrator.after(&AnyState::of(&start()), step, steps).unwrap();
+    assert_eq!(there.time, steps as f64 * step);
+    let back = integrator.after(&there.momentum, -step, steps).unwrap();
+    assert_eq!(back.time, -there.time);
+    (momentum(&back.momentum) - start()).max_abs()
 }
 
 /// A symmetric method is its own inverse with the negative step, Φ₋ₕ ∘ Φₕ = 1. For others the errors of odd order cancel:
@@ -96,88 +87,60 @@ fn many_tops_return() {
     returns(GaussBatch::<4>::new().unwrap(), (top(), start()), |(_, mu)| *mu);
 }
 
-/// The task of finding the zeros of Π₁ from a state to ±10 s, and the states at them by dense output.
-struct Zeros {
-    from: Se3Dual,
-    step: f64,
-    direction: Direction,
-}
-
-impl Task for Zeros {
-    type Output = Vec<f64>;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, integrator: &I) -> Vec<f64> {
-        let run = || integrator.trajectory(&self.from, self.step).unwrap();
-        let first = |mu: &Se3Dual| mu.0.0.x;
-        let mut search = EventSearch::new(integrator, first, self.direction);
-        let mut times = Vec::new();
-        for sample in run().take(201) {
-            let found = search.observe(&sample.unwrap()).unwrap();
-            times.extend(found.into_iter().flatten().map(|zero| zero.time));
-        }
-        let mut dense = DenseOutput::new(integrator, run());
-        for time in &times {
-            assert!(first(&dense.at(*time).unwrap().momentum).abs() < 1e-10);
-        }
-        times
+/// Finds the zeros of Π₁ from a state to ±10 s, and the states at them by dense output.
+fn zeros(integrator: &AnyIntegrator, from: &AnyState, step: f64, direction: Direction) -> Vec<f64> {
+    let run = || integrator.trajectory(from, step).unwrap();
+    let first = |mu: &AnyState| mu.as_slice()[0];
+    let mut search = EventSearch::new(integrator, first, direction);
+    let mut times = Vec::new();
+    for sample in run().take(201) {
+        let found = search.observe(&sample.unwrap()).unwrap();
+        times.extend(found.into_iter().flatten().map(|zero| zero.time));
     }
+    let mut dense = DenseOutput::new(integrator, run());
+    for time in &times {
+        assert!(first(&dense.at(*time).unwrap().momentum).abs() < 1e-10);
+    }
+    times
 }
 
 /// The zeros on the way back are those of the way there, in the reverse order. A direction is that along the run.
 #[test]
 fn events_on_the_way_back_are_those_of_the_way_there() {
     let method = Method::new(Formulation::Reduced, SchemeName::Gauss(6), 0.0).unwrap();
-    let end = {
-        struct End;
-        impl Task for End {
-            type Output = Se3Dual;
-            fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, by: &I) -> Se3Dual {
-                by.after(&start(), 0.05, 200).unwrap().momentum
-            }
-        }
-        method.integrate(&top(), End).unwrap()
-    };
-    let zeros =
-        |from, step, direction| method.integrate(&top(), Zeros { from, step, direction }).unwrap();
+    let (integrator, start) = (method.integrator(&top()).unwrap(), AnyState::of(&start()));
+    let end = integrator.after(&start, 0.05, 200).unwrap().momentum;
+    let zeros = |from, step, direction| zeros(&integrator, from, step, direction);
     for (there, back) in [
         (Direction::Both, Direction::Both),
         (Direction::Up, Direction::Down),
         (Direction::Down, Direction::Up),
     ] {
-        let there = zeros(start(), 0.05, there);
-        let mut again: Vec<f64> = zeros(end, -0.05, back).iter().map(|time| 10.0 + time).collect();
+        let there = zeros(&start, 0.05, there);
+        let mut again: Vec<f64> = zeros(&end, -0.05, back).iter().map(|time| 10.0 + time).collect();
         again.reverse();
         assert!(there.len() > 2 && there.len() == again.len(), "{there:?} {again:?}");
         assert!(there.iter().zip(&again).all(|(a, b)| (a - b).abs() < 1e-9), "{there:?} {again:?}");
     }
     // Control: the same direction along the run finds other zeros.
-    let up = zeros(start(), 0.05, Direction::Up);
-    let other = zeros(end, -0.05, Direction::Up);
+    let up = zeros(&start, 0.05, Direction::Up);
+    let other = zeros(&end, -0.05, Direction::Up);
     assert!(other.iter().all(|time| up.iter().all(|zero| (zero - time - 10.0).abs() > 1e-3)));
 }
 
 /// A section is a set of states: the antecedents of a point lie on it, and the first of them returns to the point.
 #[test]
 fn a_section_is_the_same_backward() {
-    struct Returns<'a> {
-        section: &'a Section,
-        from: Se3Dual,
-        step: f64,
-    }
-    impl Task for Returns<'_> {
-        type Output = Vec<Se3Dual>;
-        fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(self, by: &I) -> Vec<Se3Dual> {
-            let returns = self.section.crossings(by, &self.from, self.step, 4000).unwrap();
-            returns.take(3).map(|sample| sample.unwrap().momentum).collect()
-        }
-    }
     let level = EnergyLevel { top: top(), energy: 2.0, vertical_momentum: 0.3 };
     let surface =
         Surface { variable: Coordinate::Gamma3.into(), level: 0.0, direction: Direction::Up };
     let section = Section::new(level, surface).unwrap();
     let method = Method::new(Formulation::Reduced, SchemeName::Gauss(6), 0.0).unwrap();
-    let returns =
-        |from, step| method.integrate(&top(), Returns { section: &section, from, step }).unwrap();
+    let integrator = method.integrator(&top()).unwrap();
+    let returns = |from: Se3Dual, step| -> Vec<Se3Dual> {
+        let returns = section.crossings(&integrator, &AnyState::of(&from), step, 4000).unwrap();
+        returns.take(3).map(|sample| momentum(&sample.unwrap().momentum)).collect()
+    };
     for start in section.starts(5, 0).unwrap() {
         let antecedents = returns(start, -0.05);
         assert_eq!(antecedents.len(), 3);

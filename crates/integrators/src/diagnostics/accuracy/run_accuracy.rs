@@ -6,8 +6,8 @@ use super::reported_accuracy::RunAccuracy;
 use super::sampled_run::SampledRun;
 use super::system_scales::SystemScales;
 use crate::stages::checkpoints::CHECKPOINT;
-use crate::{RunError, Start};
-use lie_poisson::{Vector, larger};
+use crate::{AnyIntegrator, RunError};
+use lie_poisson::larger;
 
 /// The number of steps up to which the whole run is repeated.
 const WHOLE: u64 = 5 * CHECKPOINT;
@@ -42,7 +42,7 @@ const SAMPLES: u64 = 64;
 /// The pendulum of length 1, by the midpoint rule with 20 steps per unit of time:
 /// ```
 /// use collective_integrators::diagnostics::{SystemScales, run_accuracy};
-/// use collective_integrators::{Direct, RungeKutta, from_fn};
+/// use collective_integrators::{AnyIntegrator, Direct, RungeKutta, from_fn};
 /// use core::ops::Range;
 /// use nalgebra::Vector2;
 ///
@@ -61,30 +61,27 @@ const SAMPLES: u64 = 64;
 /// }
 ///
 /// let pendulum = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x.sin()));
-/// let midpoint = Direct::new(RungeKutta::implicit_midpoint(), pendulum);
+/// let midpoint = AnyIntegrator::new(Direct::new(RungeKutta::implicit_midpoint(), pendulum), 2);
 /// let accuracy = run_accuracy(&midpoint, &Pendulum, &[1.0, 0.0], (0.05, 2000), 2, &|| true);
 /// // After a period, 6.6999756643705, the pendulum is back at its start: 15 periods are 2010 steps.
 /// assert_eq!(accuracy.angle, 0.05);
 /// assert!(accuracy.error.is_some_and(|error| 0.005 < error && error < 0.03), "{accuracy:?}");
 /// assert!(accuracy.warning().is_some_and(|text| text.contains("a step of ")));
 ///
-/// let gauss = Direct::new(RungeKutta::gauss(4)?, pendulum);
+/// let gauss = AnyIntegrator::new(Direct::new(RungeKutta::gauss(4)?, pendulum), 2);
 /// let accuracy = run_accuracy(&gauss, &Pendulum, &[1.0, 0.0], (0.05, 2000), 8, &|| true);
 /// assert!(accuracy.error.is_some_and(|error| error < 1e-12), "{accuracy:?}");
 /// assert_eq!(accuracy.warning(), None);
 /// # Ok::<(), collective_integrators::SchemeError>(())
 /// ```
-pub fn run_accuracy<I>(
-    integrator: &I,
+pub fn run_accuracy(
+    integrator: &AnyIntegrator,
     system: &impl SystemScales,
     start: &[f64],
     (step, steps): (f64, u64),
     order: u16,
     going: &dyn Fn() -> bool,
-) -> RunAccuracy
-where
-    I: Start<Momentum: Vector<Scalar = f64>>,
-{
+) -> RunAccuracy {
     let repeated = steps.min((steps / PARTS).clamp(WHOLE, LONGEST));
     let runs = match steps {
         0 => None,
@@ -94,15 +91,12 @@ where
 }
 
 /// Makes the beginning of the run with the step and with half of it.
-fn both<I>(
-    integrator: &I,
+fn both(
+    integrator: &AnyIntegrator,
     start: &[f64],
     (step, steps): (f64, u64),
     going: &dyn Fn() -> bool,
-) -> Result<[Option<SampledRun>; 2], RunError>
-where
-    I: Start<Momentum: Vector<Scalar = f64>>,
-{
+) -> Result<[Option<SampledRun>; 2], RunError> {
     let run = |step: f64, halves: u64| {
         let at = (1..=SAMPLES).map(|sample| halves * share(steps, sample));
         SampledRun::new(integrator, start, step, at, going)
@@ -184,7 +178,7 @@ mod tests {
 
     fn accuracy(most: f64, steps: u64, going: &dyn Fn() -> bool) -> RunAccuracy {
         let field = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
-        let midpoint = Direct::new(RungeKutta::implicit_midpoint(), field);
+        let midpoint = AnyIntegrator::new(Direct::new(RungeKutta::implicit_midpoint(), field), 2);
         run_accuracy(&midpoint, &Oscillator(most), &START, (0.1, steps), 2, going)
     }
 
@@ -212,7 +206,7 @@ mod tests {
                 // The field ends at an x to which only stages of long steps come.
                 Vector2::new(if z.x > 1.09 { f64::NAN } else { z.y }, -z.x)
             });
-            let rk4 = Direct::new(RungeKutta::rk4(), field);
+            let rk4 = AnyIntegrator::new(Direct::new(RungeKutta::rk4(), field), 2);
             let scales = Oscillator(most);
             check_by_half_steps(&rk4, &scales, &START, (step, steps), 4, &|| true).unwrap().unwrap()
         };

@@ -1,8 +1,7 @@
 //! The momenta of a run after chosen numbers of steps.
 
 use crate::stages::checkpoints::CHECKPOINT;
-use crate::{IntegrationError, RunError, Start, StepError};
-use lie_poisson::Vector;
+use crate::{AnyIntegrator, AnyState, IntegrationError, Integrator, RunError, Start, StepError};
 
 /// The momenta of a run, coordinate by coordinate.
 pub(super) struct SampledRun {
@@ -16,18 +15,15 @@ impl SampledRun {
     ///
     /// # Errors
     /// Returns the errors of [`Start::after`].
-    pub(super) fn new<I>(
-        integrator: &I,
+    pub(super) fn new(
+        integrator: &AnyIntegrator,
         start: &[f64],
         step: f64,
         at: impl Iterator<Item = u64>,
         going: &dyn Fn() -> bool,
-    ) -> Result<Option<Self>, RunError>
-    where
-        I: Start<Momentum: Vector<Scalar = f64>>,
-    {
+    ) -> Result<Option<Self>, RunError> {
         let width = start.len();
-        let mu = I::Momentum::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));
+        let mu = AnyState::from_slice(start);
         StepError::check_start(&mu, step)
             .map_err(|refused| IntegrationError::after(0, step, refused))?;
         let (mut state, mut workspace) = (integrator.start(&mu)?, integrator.workspace());
@@ -41,8 +37,7 @@ impl SampledRun {
                 integrator.advance(&mut state, step, made..next, &mut workspace)?;
                 made = next;
             }
-            let momentum = integrator.momentum(&state);
-            coordinates.extend((0..width).map(|i| momentum.coordinate(i)));
+            coordinates.extend_from_slice(integrator.momentum(&state).as_slice());
         }
         Ok(Some(Self { coordinates, width }))
     }

@@ -4,9 +4,9 @@ use super::error_growth::of_whole_step;
 use super::relative_distance::RelativeDistance;
 use super::sampled_run::SampledRun;
 use super::system_scales::SystemScales;
-use crate::{RunError, Start};
+use crate::{AnyIntegrator, RunError};
 use core::fmt;
-use lie_poisson::{Vector, larger};
+use lie_poisson::larger;
 
 /// The number of samples at which the runs are compared.
 const SAMPLES: u64 = 64;
@@ -66,7 +66,7 @@ impl fmt::Display for NoOrder {
 /// # Example
 /// ```
 /// use collective_integrators::diagnostics::{SystemScales, check_by_half_steps};
-/// use collective_integrators::{Direct, RungeKutta, from_fn};
+/// use collective_integrators::{AnyIntegrator, Direct, RungeKutta, from_fn};
 /// use core::ops::Range;
 /// use nalgebra::Vector2;
 ///
@@ -85,7 +85,7 @@ impl fmt::Display for NoOrder {
 /// }
 ///
 /// let field = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
-/// let rk4 = Direct::new(RungeKutta::rk4(), field);
+/// let rk4 = AnyIntegrator::new(Direct::new(RungeKutta::rk4(), field), 2);
 /// let check = check_by_half_steps(&rk4, &Oscillator, &[1.0, 0.0], (0.1, 100), 4, &|| true)?;
 /// let check = check.ok_or("it was not told to end")?;
 /// // RK4 is behind by h⁴/120 per unit of time: 8.3e-6 at t = 10.
@@ -93,17 +93,14 @@ impl fmt::Display for NoOrder {
 /// assert!(check.order.is_ok_and(|order| (order - 4.0).abs() < 0.1), "{check:?}");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn check_by_half_steps<I>(
-    integrator: &I,
+pub fn check_by_half_steps(
+    integrator: &AnyIntegrator,
     system: &impl SystemScales,
     start: &[f64],
     (step, steps): (f64, u64),
     order: u16,
     going: &dyn Fn() -> bool,
-) -> Result<Option<StepCheck>, RunError>
-where
-    I: Start<Momentum: Vector<Scalar = f64>>,
-{
+) -> Result<Option<StepCheck>, RunError> {
     // Pairs of steps, which twice the step reaches, and then the end.
     let pairs = move |sample: u64| {
         (u128::from(steps / 2) * u128::from(sample) / u128::from(SAMPLES)) as u64

@@ -11,10 +11,9 @@ use crate::runs::method_warning::system_warning;
 use crate::runs::step_angle::require_sane_step_of_system;
 use crate::vocabulary::brief;
 use collective_integrators::diagnostics::RunAccuracy;
-use collective_integrators::{Events, Start};
+use collective_integrators::{AnyState, Events, Start};
 use heavytop::methods::{Formulation, SchemeName};
-use lie_poisson::Vector;
-use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemSection, SystemTask};
+use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemSection};
 use lie_poisson_formulas::Formula;
 use serde_json::{Map, Value};
 
@@ -87,15 +86,7 @@ impl SystemProblem {
             Ok(())
         };
         let limits = Limits { crossings: 1, ..*limits };
-        let task = Follow {
-            problem: self,
-            limits: &limits,
-            number,
-            start: state,
-            counts_start: true,
-            visit: &mut visit,
-        };
-        self.method.integrate(self.system(), state, task)??;
+        self.visit_returns(&limits, (number, state, true), &mut visit)?;
         first.ok_or(Error::NeverCrosses { state: number, longest: limits.longest })
     }
 
@@ -137,8 +128,45 @@ impl SystemProblem {
         start: &[f64],
         visit: Visit<'_>,
     ) -> Result<(), Error> {
-        let task = Follow { problem: self, limits, number, start, counts_start: false, visit };
-        self.method.integrate(self.system(), start, task)?
+        self.visit_returns(limits, (number, start, false), visit)
+    }
+
+    /// Passes the returns of a start with this number to `visit`, which may count the start if it lies on the surface.
+    fn visit_returns(
+        &self,
+        limits: &Limits,
+        (number, start, counts_start): (usize, &[f64], bool),
+        visit: Visit<'_>,
+    ) -> Result<(), Error> {
+        let integrator = self.method.integrator(self.system(), start)?.without_tangents();
+        let samples = integrator.trajectory(&AnyState::from_slice(start), limits.step)?;
+        let samples = samples.take(limits.steps.saturating_add(1));
+        let value = |mu: &AnyState| self.section.value(mu.as_slice());
+        let direction = self.section.direction().along_run(limits.step);
+        let mut returns = Events::new(&integrator, samples, value, direction);
+        if let Some(period) = self.section.period() {
+            returns = returns.modulo(period);
+        }
+        if counts_start {
+            returns = returns.counting_start();
+        }
+        for event in returns.take(limits.crossings) {
+            let sample = event.map_err(|source| Error::Crossing {
+                formulation: self.method.formulation().name(),
+                scheme: self.method.scheme().name(),
+                start: number,
+                source,
+            })?;
+            let state = sample.momentum.as_slice();
+            // What is written and drawn has a value.
+            let values = self.section.checked_plane(state).map(drop);
+            values.and_then(|()| self.system().invariants(state)).map_err(|source| {
+                let (start, source) = (Some(number), Box::new(source));
+                Error::NoValue { start, time: sample.time, source }
+            })?;
+            visit(sample.time, state)?;
+        }
+        Ok(())
     }
 }
 
@@ -245,58 +273,4 @@ impl SectionProblem for SystemProblem {
 /// Returns the title of an axis. What follows a plain space and a parenthesis would be read as a unit.
 fn title(axis: &Formula) -> String {
     brief::text(&axis.to_string()).replace(" (", "\u{a0}(")
-}
-
-/// The task of following a start.
-struct Follow<'a> {
-    problem: &'a SystemProblem,
-    limits: &'a Limits,
-    number: usize,
-    start: &'a [f64],
-    /// Whether the start counts if it lies on the surface.
-    counts_start: bool,
-    visit: Visit<'a>,
-}
-
-impl SystemTask for Follow<'_> {
-    type Output = Result<(), Error>;
-
-    fn perform<I>(self, integrator: &I) -> Result<(), Error>
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>>,
-    {
-        let Self { problem, limits, number, start, counts_start, visit } = self;
-        let dimension = start.len();
-        let start = I::Momentum::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));
-        let samples = integrator.trajectory(&start, limits.step)?;
-        let samples = samples.take(limits.steps.saturating_add(1));
-        let numbers =
-            |mu: &I::Momentum| -> Vec<f64> { (0..dimension).map(|i| mu.coordinate(i)).collect() };
-        let value = |mu: &I::Momentum| problem.section.value(&numbers(mu));
-        let direction = problem.section.direction().along_run(limits.step);
-        let mut returns = Events::new(integrator, samples, value, direction);
-        if let Some(period) = problem.section.period() {
-            returns = returns.modulo(period);
-        }
-        if counts_start {
-            returns = returns.counting_start();
-        }
-        for event in returns.take(limits.crossings) {
-            let sample = event.map_err(|source| Error::Crossing {
-                formulation: problem.method.formulation().name(),
-                scheme: problem.method.scheme().name(),
-                start: number,
-                source,
-            })?;
-            let state = numbers(&sample.momentum);
-            // What is written and drawn has a value.
-            let values = problem.section.checked_plane(&state).map(drop);
-            values.and_then(|()| problem.system().invariants(&state)).map_err(|source| {
-                let (start, source) = (Some(number), Box::new(source));
-                Error::NoValue { start, time: sample.time, source }
-            })?;
-            visit(sample.time, &state)?;
-        }
-        Ok(())
-    }
 }

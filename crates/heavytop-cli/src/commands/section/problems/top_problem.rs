@@ -9,12 +9,12 @@ use crate::pictures::caption::{self, number};
 use crate::runs::method_warning::method_warning;
 use crate::runs::step_angle::{least_moment, require_turn};
 use collective_integrators::diagnostics::RunAccuracy;
-use collective_integrators::{Direction, Start};
-use heavytop::methods::{Formulation, Method, SchemeName, Task};
+use collective_integrators::{AnyState, Direction};
+use heavytop::methods::{Formulation, Method, SchemeName};
 use heavytop::{
     EnergyLevel, HeavyTop, Invariant, PrincipalAxes, Section, Surface, SurfaceVariable,
 };
-use lie_poisson::{Se3Dual, Vector};
+use lie_poisson::{Se3Dual, State, Vector};
 use serde_json::{Map, Value};
 
 /// The largest turn of any body on the energy level in one step, rad, if the configuration gives no step. The Gauss
@@ -81,8 +81,21 @@ impl TopProblem {
         start: &[f64],
         visit: Visit<'_>,
     ) -> Result<(), Error> {
-        let task = Follow { problem: self, limits, number, start: self.state(start), visit };
-        self.method.integrate(&self.section.level().top, task)?
+        let Self { section, method, .. } = self;
+        let (integrator, start) =
+            (method.integrator(&section.level().top)?, AnyState::of(&self.state(start)));
+        let returns = section.crossings(&integrator, &start, limits.step, limits.steps)?;
+        for event in returns.take(limits.crossings) {
+            let sample = event.map_err(|source| Error::Crossing {
+                formulation: method.formulation().name(),
+                scheme: method.scheme().name(),
+                start: number,
+                source,
+            })?;
+            let mu = Se3Dual::from_coordinates(|i| sample.momentum.entry(i));
+            visit(sample.time, &self.numbers(&mu))?;
+        }
+        Ok(())
     }
 
     /// Measures how accurate the motion of a start is for so many steps of a size (s).
@@ -192,38 +205,6 @@ impl SectionProblem for TopProblem {
             }
         };
         Drawing { caption: words(&self.section, &self.method, limits), abscissa, ordinate }
-    }
-}
-
-/// The task of following a start.
-struct Follow<'a> {
-    problem: &'a TopProblem,
-    limits: &'a Limits,
-    number: usize,
-    start: Se3Dual,
-    visit: Visit<'a>,
-}
-
-impl Task for Follow<'_> {
-    type Output = Result<(), Error>;
-
-    fn perform<I: Start<State: Vector, Momentum = Se3Dual>>(
-        self,
-        integrator: &I,
-    ) -> Result<(), Error> {
-        let Self { problem, limits, number, start, visit } = self;
-        let TopProblem { section, method, .. } = problem;
-        let returns = section.crossings(integrator, &start, limits.step, limits.steps)?;
-        for event in returns.take(limits.crossings) {
-            let sample = event.map_err(|source| Error::Crossing {
-                formulation: method.formulation().name(),
-                scheme: method.scheme().name(),
-                start: number,
-                source,
-            })?;
-            visit(sample.time, &problem.numbers(&sample.momentum))?;
-        }
-        Ok(())
     }
 }
 

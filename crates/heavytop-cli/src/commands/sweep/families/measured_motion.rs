@@ -4,43 +4,45 @@ use super::course::Course;
 use crate::Error;
 use crate::configuration::Observable;
 use collective_integrators::{
-    Integrator, Megno, Start, TangentIntegrator, VariationalError, VariationalFlow,
+    AnyIntegrator, AnyState, AnyTangents, Megno, Start, VariationalError, VariationalFlow,
     smaller_alignment_index,
 };
 use heavytop::methods::{Formulation, SchemeName};
-use lie_poisson::Vector;
+use lie_poisson::State;
 
 /// The measurements along a motion, besides those of its tangent vectors.
-pub(super) trait Gauge<M> {
+pub(super) trait Gauge {
     /// Takes notice of the momentum after a step, at a time (s).
-    fn observe(&mut self, time: f64, momentum: &M);
+    fn observe(&mut self, time: f64, momentum: &[f64]);
 
     /// Returns the values of the columns of an observable that needs no tangent vectors, at the end of the motion.
-    fn values(&self, observable: Observable, end: &M) -> Vec<Option<f64>>;
+    fn values(&self, observable: Observable, end: &[f64]) -> Vec<Option<f64>>;
 }
 
+/// An integrator with tangent maps.
+pub(super) type Motion = AnyIntegrator<dyn AnyTangents>;
+
 /// Follows the motion from a start, and returns the values of the columns of all observables. `method` is the one of the
-/// integrator; coordinates from `dimension` on are none of the system.
+/// integrator.
 ///
 /// # Errors
 /// If no state represents the start, or the motion cannot be followed to the end.
-pub(super) fn measure<I, G>(
-    integrator: &I,
-    (start, dimension): (&<I as Integrator>::Momentum, usize),
-    gauge: G,
+pub(super) fn measure(
+    integrator: &Motion,
+    start: &AnyState,
+    gauge: &mut dyn Gauge,
     course: &Course,
     (formulation, scheme): (Formulation, SchemeName),
-) -> Result<Vec<Option<f64>>, Error>
-where
-    I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    G: Gauge<<I as Integrator>::Momentum>,
-{
-    let state = Start::<f64>::start(integrator, start)?;
+) -> Result<Vec<Option<f64>>, Error> {
+    let state = integrator.start(start)?;
+    // Tangent vectors are zero along coordinates that complete a space of momenta to the width of its type.
+    let width = integrator.state_dimension();
+    let dimension = if integrator.states_are_momenta() { start.dimension() } else { width };
     // A tangent vector costs more than the state: there are as many as the observables need.
     let measured = match course.tangents() {
-        2 => follow::<I, G, 2>(integrator, (state, dimension), gauge, course),
-        1 => follow::<I, G, 1>(integrator, (state, dimension), gauge, course),
-        _ => follow::<I, G, 0>(integrator, (state, dimension), gauge, course),
+        2 => follow::<2>(integrator, (state, dimension), gauge, course),
+        1 => follow::<1>(integrator, (state, dimension), gauge, course),
+        _ => follow::<0>(integrator, (state, dimension), gauge, course),
     };
     measured.map_err(|failure| match failure {
         VariationalError::Integration(source) => {
@@ -51,17 +53,13 @@ where
 }
 
 /// Makes all steps of a motion with K tangent vectors.
-fn follow<I, G, const K: usize>(
-    integrator: &I,
-    (state, dimension): (<I as Integrator>::State, usize),
-    mut gauge: G,
+fn follow<const K: usize>(
+    integrator: &Motion,
+    (state, dimension): (AnyState, usize),
+    gauge: &mut dyn Gauge,
     course: &Course,
-) -> Result<Vec<Option<f64>>, VariationalError>
-where
-    I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    G: Gauge<<I as Integrator>::Momentum>,
-{
-    let (dimension, step) = (tangent_dimension::<I>(dimension), course.schedule.step);
+) -> Result<Vec<Option<f64>>, VariationalError> {
+    let step = course.schedule.step;
     let mut flow = VariationalFlow::<_, K>::generic(integrator, state, dimension, step);
     // Sums of ln(δ_k/δ_{k−1}) over the growth δ of the first tangent vector.
     let (mut megno, mut growth) = (Megno::default(), 0.0);
@@ -70,7 +68,7 @@ where
     while flow.steps() < course.schedule.steps {
         flow.advance()?;
         let stretches = flow.normalise()?;
-        gauge.observe(flow.time(), &flow.momentum());
+        gauge.observe(flow.time(), flow.momentum().as_slice());
         if let Some(stretch) = stretches.first() {
             megno.observe(*stretch);
             growth += stretch.ln();
@@ -82,7 +80,7 @@ where
         megno: megno.mean(),
         alignment: flow.directions()?.first_chunk().map(smaller_alignment_index),
     };
-    Ok(growths.columns(&course.observables, &|observable| gauge.values(observable, &end)))
+    Ok(growths.columns(&course.observables, &|observable| gauge.values(observable, end.as_slice())))
 }
 
 /// How tangent vectors have grown, at the end of a motion.
@@ -95,8 +93,6 @@ struct Growths {
 
 impl Growths {
     /// Returns the values of the columns of all observables; `others` has those that need no tangent vectors.
-    ///
-    /// This is apart from [`follow`] so that it is compiled once, and not for every integrator.
     fn columns(
         &self,
         observables: &[Observable],
@@ -109,33 +105,5 @@ impl Growths {
             other => others(*other),
         };
         observables.iter().flat_map(values).collect()
-    }
-}
-
-/// Returns the number of coordinates in which tangent vectors differ from zero. Where states are momenta, those that
-/// complete the system stay zero.
-fn tangent_dimension<I>(dimension: usize) -> usize
-where
-    I: Integrator<State: Vector<Scalar = f64>, Momentum: Vector>,
-{
-    let width = <<I as Integrator>::State as Vector>::DIM;
-    let are_momenta = width == <<I as Integrator>::Momentum as Vector>::DIM;
-    if are_momenta { dimension } else { width }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use collective_integrators::{Collective, LiftFree, RungeKutta};
-    use heavytop::{HeavyTop, SpinorRealisation};
-    use momentum_map::DualQuaternions;
-
-    #[test]
-    fn tangent_vectors_are_zero_along_what_completes_a_system() {
-        type Free = LiftFree<RungeKutta, DualQuaternions, HeavyTop>;
-        type Lifted = Collective<RungeKutta, SpinorRealisation, HeavyTop>;
-        assert_eq!(tangent_dimension::<Free>(4), 4);
-        // Control: a point of T*C² has no such coordinates.
-        assert_eq!(tangent_dimension::<Lifted>(4), 8);
     }
 }

@@ -15,11 +15,10 @@ use crate::runs::Schedule;
 use crate::runs::method_warning::system_warning;
 use crate::runs::step_angle::require_sane_step_of_system;
 use crate::vocabulary::brief;
+use collective_integrators::AnyState;
 use collective_integrators::diagnostics::RunAccuracy;
-use collective_integrators::{Integrator, Start, TangentIntegrator};
 use heavytop::methods::{Formulation, SchemeName};
-use lie_poisson::Vector;
-use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemTask};
+use lie_poisson_formula_systems::{FormulaSystem, SystemMethod};
 use std::cell::RefCell;
 
 /// Motions of a system, whose parameters or initial states differ.
@@ -164,8 +163,18 @@ impl SystemFamily {
         course: &Course,
     ) -> Result<Vec<Option<f64>>, Error> {
         let (system, start) = self.member(values, course.schedule.step)?;
-        let task = Follow { family: self, course, system: &system, start: &start };
-        self.method.integrate(&system, &start, task)?
+        let undefined = RefCell::new(None);
+        let columns = self.system.casimir_degrees();
+        let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
+        let mut gauge = SystemGauge::new(&system, (&start, wants_sizes), columns, &undefined);
+        let integrator = self.method.integrator(&system, &start)?;
+        let from = AnyState::from_slice(&start);
+        let measured = measure(&integrator, &from, &mut gauge, course, self.method())?;
+        drop(gauge);
+        if let Some(state) = undefined.into_inner() {
+            system.invariants(&state)?;
+        }
+        Ok(measured)
     }
 
     /// Measures how accurate the motion of the member at these values of the axes is.
@@ -248,36 +257,5 @@ impl Family for SystemFamily {
     fn casimirs(&self) -> Vec<String> {
         let shared = self.system.casimirs().iter().filter(|_| self.has_one_algebra);
         shared.map(ToString::to_string).collect()
-    }
-}
-
-/// The task of following a member.
-struct Follow<'a> {
-    family: &'a SystemFamily,
-    course: &'a Course,
-    system: &'a FormulaSystem,
-    start: &'a [f64],
-}
-
-impl SystemTask for Follow<'_> {
-    type Output = Result<Vec<Option<f64>>, Error>;
-
-    fn perform<I>(self, integrator: &I) -> Self::Output
-    where
-        I: Start<State: Vector, Momentum: Vector<Scalar = f64>> + TangentIntegrator,
-    {
-        let Self { family, course, system, start } = self;
-        let undefined = RefCell::new(None);
-        let columns = family.system.casimir_degrees();
-        let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
-        let gauge = SystemGauge::new(system, (start, wants_sizes), columns, &undefined);
-        let dimension = start.len();
-        let start: <I as Integrator>::Momentum =
-            Vector::from_coordinates(|i| start.get(i).copied().unwrap_or(0.0));
-        let measured = measure(integrator, (&start, dimension), gauge, course, family.method())?;
-        if let Some(state) = undefined.into_inner() {
-            system.invariants(&state)?;
-        }
-        Ok(measured)
     }
 }

@@ -3,7 +3,7 @@
 use super::measured_motion::Gauge;
 use crate::configuration::Observable;
 use collective_integrators::diagnostics::InvariantSize;
-use lie_poisson::{Vector, larger};
+use lie_poisson::larger;
 use lie_poisson_formula_systems::FormulaSystem;
 use lie_poisson_formulas::Formula;
 use std::cell::RefCell;
@@ -57,10 +57,10 @@ impl<'a> SystemGauge<'a> {
     }
 }
 
-impl<M: Vector<Scalar = f64>> Gauge<M> for SystemGauge<'_> {
-    fn observe(&mut self, _: f64, momentum: &M) {
+impl Gauge for SystemGauge<'_> {
+    fn observe(&mut self, _: f64, momentum: &[f64]) {
         let Self { invariants, initial, drift, state, undefined, .. } = self;
-        state.iter_mut().enumerate().for_each(|(i, x)| *x = momentum.coordinate(i));
+        state.iter_mut().zip(momentum).for_each(|(x, value)| *x = *value);
         for ((drift, initial), invariant) in drift.iter_mut().zip(initial).zip(invariants) {
             if let Some(invariant) = invariant {
                 let value = invariant.value_at(state);
@@ -73,11 +73,9 @@ impl<M: Vector<Scalar = f64>> Gauge<M> for SystemGauge<'_> {
         self.include_sizes();
     }
 
-    fn values(&self, observable: Observable, end: &M) -> Vec<Option<f64>> {
+    fn values(&self, observable: Observable, end: &[f64]) -> Vec<Option<f64>> {
         match observable {
-            Observable::FinalState => {
-                (0..self.state.len()).map(|i| Some(end.coordinate(i))).collect()
-            }
+            Observable::FinalState => end.iter().copied().map(Some).collect(),
             Observable::InvariantDrift => {
                 let drifts = self.invariants.iter().zip(&self.drift);
                 drifts.map(|(invariant, drift)| invariant.map(|_| *drift)).collect()

@@ -13,9 +13,9 @@ use crate::errors::SweepError;
 use crate::runs::Schedule;
 use crate::runs::method_warning::method_warning;
 use crate::runs::step_angle::require_sane_step;
+use collective_integrators::AnyState;
 use collective_integrators::diagnostics::{InvariantSize, RunAccuracy};
-use collective_integrators::{Start, TangentIntegrator};
-use heavytop::methods::{Formulation, Method, SchemeName, TangentTask};
+use heavytop::methods::{Formulation, Method, SchemeName};
 use heavytop::{HeavyTop, Invariant, Nutation, PrincipalAxes};
 use lie_poisson::{DualNumber, Se3Dual, Vector, larger, seed};
 
@@ -134,8 +134,10 @@ impl TopFamily {
         course: &Course,
     ) -> Result<Vec<Option<f64>>, Error> {
         let (top, start, axes) = self.top(values, course.schedule.step)?;
-        let task = Follow { family: self, course, top: &top, start: &start, axes };
-        self.method.differentiate(&top, task)?
+        let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
+        let mut gauge = TopGauge::new(&top, (&start, wants_sizes), axes);
+        let integrator = self.method.tangent_integrator(&top)?;
+        measure(&integrator, &AnyState::of(&start), &mut gauge, course, self.method())
     }
 
     /// Measures how accurate the motion of the top at these values of the axes is.
@@ -206,29 +208,6 @@ impl Family for TopFamily {
     }
 }
 
-/// The task of following a top.
-struct Follow<'a> {
-    family: &'a TopFamily,
-    course: &'a Course,
-    top: &'a HeavyTop,
-    start: &'a Se3Dual,
-    axes: PrincipalAxes,
-}
-
-impl TangentTask for Follow<'_> {
-    type Output = Result<Vec<Option<f64>>, Error>;
-
-    fn perform<I>(self, integrator: &I) -> Self::Output
-    where
-        I: Start<State: Vector, Momentum = Se3Dual> + TangentIntegrator,
-    {
-        let Self { family, course, top, start, axes } = self;
-        let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
-        let gauge = TopGauge::new(top, (start, wants_sizes), axes);
-        measure(integrator, (start, Se3Dual::<f64>::DIM), gauge, course, family.method())
-    }
-}
-
 const CONSERVED: [Invariant; 3] =
     [Invariant::Energy, Invariant::VerticalSquared, Invariant::VerticalMomentum];
 
@@ -271,8 +250,9 @@ impl TopGauge {
     }
 }
 
-impl Gauge<Se3Dual> for TopGauge {
-    fn observe(&mut self, time: f64, mu: &Se3Dual) {
+impl Gauge for TopGauge {
+    fn observe(&mut self, time: f64, mu: &[f64]) {
+        let mu = &state(mu);
         self.nutation.observe(time, mu);
         for ((drift, initial), invariant) in self.drift.iter_mut().zip(self.initial).zip(CONSERVED)
         {
@@ -281,10 +261,10 @@ impl Gauge<Se3Dual> for TopGauge {
         self.include_sizes(mu);
     }
 
-    fn values(&self, observable: Observable, end: &Se3Dual) -> Vec<Option<f64>> {
+    fn values(&self, observable: Observable, end: &[f64]) -> Vec<Option<f64>> {
         match observable {
             Observable::FinalState => {
-                let end = self.axes.state_from_principal(end);
+                let end = self.axes.state_from_principal(&state(end));
                 (0..6).map(|i| Some(end.coordinate(i))).collect()
             }
             Observable::InvariantDrift => self.drift.map(Some).to_vec(),
@@ -297,6 +277,11 @@ impl Gauge<Se3Dual> for TopGauge {
             Observable::Lyapunov | Observable::Megno | Observable::Sali => Vec::new(),
         }
     }
+}
+
+/// Returns the momentum with these coordinates.
+fn state(coordinates: &[f64]) -> Se3Dual {
+    Vector::from_coordinates(|i| coordinates.get(i).copied().unwrap_or(f64::NAN))
 }
 
 #[cfg(test)]

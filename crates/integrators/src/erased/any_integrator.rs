@@ -1,0 +1,150 @@
+//! An integrator of any type: [`AnyIntegrator`].
+
+use super::any_state::AnyState;
+use super::any_steps::{AnyStart, AnySteps, AnyTangents, AnyWorkspace, Erased};
+use crate::{IntegrationError, Integrator, Start, Step, StepError, TangentIntegrator};
+use core::fmt;
+use core::ops::Range;
+use lie_poisson::{Real, State, Vector};
+use momentum_map::LiftError;
+
+/// An integrator whose type is known only when the program runs.
+///
+/// Everything that works with an [`Integrator`] works with it: trajectories, events, dense output, tangent vectors. It is then
+/// compiled once, and not for each type of integrator. A step costs a call through a pointer and two copies of the state more,
+/// and many steps in one call of [`advance`](Integrator::advance) cost that once.
+///
+/// The integrator is behind the object-safe trait `K`. [`AnyTangents`] has tangent maps, so that an
+/// `AnyIntegrator<dyn AnyTangents>` is a [`TangentIntegrator`]; [`AnyStart`] has none.
+///
+/// # Example
+/// A program that learns the order when it runs:
+/// ```
+/// use collective_integrators::{AnyIntegrator, AnyState, Direct, RungeKutta, Start, from_fn};
+/// use nalgebra::Vector2;
+/// let oscillator = || from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x));
+/// let method = |order: usize| match order {
+///     4 => AnyIntegrator::new(Direct::new(RungeKutta::rk4(), oscillator()), 2),
+///     _ => AnyIntegrator::new(Direct::new(RungeKutta::implicit_midpoint(), oscillator()), 2),
+/// };
+/// let error = |order| -> Result<f64, collective_integrators::RunError> {
+///     let end = method(order).after(&AnyState::from_slice(&[1.0, 0.0]), 0.01, 100)?;
+///     Ok((end.momentum.as_slice()[0] - 1.0_f64.cos()).abs())
+/// };
+/// assert!(error(4)? < 1e-10 && error(2)? > 1e-6);
+/// # Ok::<(), collective_integrators::RunError>(())
+/// ```
+pub struct AnyIntegrator<K: ?Sized = dyn AnyStart>(Box<K>);
+
+impl AnyIntegrator {
+    /// Hides the type of an integrator. The first coordinates of its momenta, `dimension` of them, are those of the system;
+    /// others, which complete the momenta to the width of their type, are zero and are left out.
+    pub fn new<I>(integrator: I, dimension: usize) -> Self
+    where
+        I: Start<State: Vector, Momentum: Vector> + Send + Sync + 'static,
+    {
+        Self(Box::new(erased(integrator, dimension)))
+    }
+}
+
+impl AnyIntegrator<dyn AnyTangents> {
+    /// Hides the type of an integrator that has tangent maps, as [`new`](AnyIntegrator::new) does.
+    pub fn with_tangents<I>(integrator: I, dimension: usize) -> Self
+    where
+        I: Start<State: Vector, Momentum: Vector> + TangentIntegrator + Send + Sync + 'static,
+    {
+        Self(Box::new(erased(integrator, dimension)))
+    }
+
+    /// Hides the tangent maps, too.
+    #[must_use]
+    pub fn without_tangents(self) -> AnyIntegrator {
+        AnyIntegrator(self.0)
+    }
+}
+
+impl<K: ?Sized + AnyStart> AnyIntegrator<K> {
+    /// Returns the dimension of the states.
+    #[must_use]
+    pub fn state_dimension(&self) -> usize {
+        self.0.state_dimension()
+    }
+
+    /// Returns whether the states are momenta, so that its tangent vectors are those of momenta.
+    #[must_use]
+    pub fn states_are_momenta(&self) -> bool {
+        self.0.states_are_momenta()
+    }
+}
+
+fn erased<I: Start<State: Vector>>(
+    integrator: I,
+    dimension: usize,
+) -> Erased<I, <I::State as State>::Shape> {
+    let shape = I::State::from_coordinates(|_| 0.0).shape();
+    Erased { integrator, shape, dimension }
+}
+
+impl<K: ?Sized> fmt::Debug for AnyIntegrator<K> {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        to.write_str("AnyIntegrator")
+    }
+}
+
+impl<K: ?Sized + AnySteps<T>, T: Real> Integrator<T> for AnyIntegrator<K> {
+    type State = AnyState<T>;
+    type Momentum = AnyState<T>;
+    type Workspace = AnyWorkspace;
+
+    fn workspace(&self) -> AnyWorkspace {
+        self.0.workspace()
+    }
+
+    fn step(
+        &self,
+        state: &AnyState<T>,
+        step: f64,
+        workspace: &mut AnyWorkspace,
+    ) -> Result<Step<AnyState<T>>, StepError> {
+        let mut point = state.clone();
+        let iterations = self.0.step_in_place(&mut point, step, workspace)?;
+        Ok(Step { point, iterations })
+    }
+
+    fn step_in_place(
+        &self,
+        state: &mut AnyState<T>,
+        step: f64,
+        workspace: &mut AnyWorkspace,
+    ) -> Result<usize, StepError> {
+        self.0.step_in_place(state, step, workspace)
+    }
+
+    fn advance(
+        &self,
+        state: &mut AnyState<T>,
+        step: f64,
+        steps: Range<u64>,
+        workspace: &mut AnyWorkspace,
+    ) -> Result<usize, IntegrationError> {
+        self.0.advance(state, step, steps, workspace)
+    }
+
+    fn forget(&self, workspace: &mut AnyWorkspace) {
+        self.0.forget(workspace);
+    }
+
+    fn pin(&self, workspace: &mut AnyWorkspace) {
+        self.0.pin(workspace);
+    }
+
+    fn momentum(&self, state: &AnyState<T>) -> AnyState<T> {
+        self.0.momentum(state)
+    }
+}
+
+impl<K: ?Sized + AnyStart> Start for AnyIntegrator<K> {
+    fn start(&self, mu: &AnyState) -> Result<AnyState, LiftError> {
+        self.0.start(mu)
+    }
+}

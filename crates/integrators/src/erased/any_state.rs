@@ -1,0 +1,134 @@
+//! A vector whose dimension is known only when the program runs: [`AnyState`].
+
+use lie_poisson::{Real, State};
+use smallvec::SmallVec;
+
+/// The number of coordinates that need no storage on the heap.
+const FEW: usize = 16;
+
+/// The largest number of blocks of coordinates.
+const MOST_BLOCKS: usize = 4;
+
+/// One value for each of four blocks.
+type Four<T> = (((T,), (T,)), ((T,), (T,)));
+
+/// A state or a momentum of an [`AnyIntegrator`](crate::AnyIntegrator): its coordinates, in at most four
+/// [blocks](State::BLOCKS). Up to 16 coordinates need no storage on the heap.
+///
+/// # Example
+/// ```
+/// use collective_integrators::AnyState;
+/// use lie_poisson::{Pair, State};
+/// use nalgebra::{Vector1, Vector2};
+/// let z = AnyState::of(&Pair(Vector1::new(1.0), Vector2::new(2.0, 3.0)));
+/// assert_eq!(z.as_slice(), [1.0, 2.0, 3.0]);
+/// assert_eq!([0, 1, 2].map(|i| z.block_of(i)), [0, 1, 1]);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct AnyState<T = f64> {
+    values: SmallVec<[T; FEW]>,
+    blocks: BlockEnds,
+}
+
+/// The number of coordinates up to the end of each block. It is the dimension for blocks that are not used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BlockEnds([usize; MOST_BLOCKS]);
+
+impl<T: Real> AnyState<T> {
+    /// Returns the coordinates of a vector, with its blocks. Blocks after the third count as one.
+    #[must_use]
+    pub fn of<V: State<Scalar = T>>(v: &V) -> Self {
+        let dimension = v.dimension();
+        let mut ends = [dimension; MOST_BLOCKS];
+        for i in (0..dimension).rev() {
+            if let Some(end) = v.block_of(i).checked_sub(1).and_then(|before| ends.get_mut(before))
+            {
+                *end = i;
+            }
+        }
+        Self { values: (0..dimension).map(|i| v.entry(i)).collect(), blocks: BlockEnds(ends) }
+    }
+
+    /// Returns the first coordinates of a vector, at most `dimension`, with its blocks.
+    #[must_use]
+    pub fn beginning_of<V: State<Scalar = T>>(v: &V, dimension: usize) -> Self {
+        let mut all = Self::of(v);
+        all.values.truncate(dimension);
+        all.blocks.0.iter_mut().for_each(|end| *end = dimension.min(*end));
+        all
+    }
+
+    /// Returns the vector of one block with these coordinates.
+    #[must_use]
+    pub fn from_slice(values: &[T]) -> Self {
+        let blocks = BlockEnds([values.len(); MOST_BLOCKS]);
+        Self { values: SmallVec::from_slice(values), blocks }
+    }
+
+    /// Returns the coordinates.
+    #[must_use]
+    pub fn as_slice(&self) -> &[T] {
+        &self.values
+    }
+
+    /// Returns the coordinates, to be changed.
+    pub fn as_mut_slice(&mut self) -> &mut [T] {
+        &mut self.values
+    }
+}
+
+impl<T: Real> State for AnyState<T> {
+    type Scalar = T;
+    type Blocks = Four<T>;
+    type Shape = BlockEnds;
+    type Pool = Vec<Self>;
+
+    fn dimension(&self) -> usize {
+        self.values.len()
+    }
+
+    fn shape(&self) -> BlockEnds {
+        self.blocks
+    }
+
+    fn zeros_of(blocks: &BlockEnds) -> Self {
+        let BlockEnds([.., dimension]) = *blocks;
+        Self { values: SmallVec::from_elem(T::zero(), dimension), blocks: *blocks }
+    }
+
+    fn take(pool: &mut Vec<Self>, like: &Self) -> Self {
+        pool.pop().filter(|v| v.same_shape(like)).unwrap_or_else(|| like.zeros_like())
+    }
+
+    fn give(self, pool: &mut Vec<Self>) {
+        pool.push(self);
+    }
+
+    fn entry(&self, i: usize) -> T {
+        self.values.get(i).copied().unwrap_or_else(T::zero)
+    }
+
+    fn set_entry(&mut self, i: usize, x: T) {
+        if let Some(value) = self.values.get_mut(i) {
+            *value = x;
+        }
+    }
+
+    fn blocks(&self) -> usize {
+        let last = self.dimension().saturating_sub(1);
+        self.block_of(last) + 1
+    }
+
+    fn block_of(&self, i: usize) -> usize {
+        let BlockEnds([first, second, third, _]) = self.blocks;
+        usize::from(i >= first) + usize::from(i >= second) + usize::from(i >= third)
+    }
+
+    fn scale_in_place(&mut self, s: T) {
+        self.values.iter_mut().for_each(|v| *v *= s);
+    }
+
+    fn add_multiple(&mut self, s: T, x: &Self) {
+        self.values.iter_mut().zip(&x.values).for_each(|(v, x)| *v += s * *x);
+    }
+}

@@ -1,0 +1,223 @@
+//! The steps of an integrator behind a pointer: [`AnySteps`], [`AnyStart`] and [`AnyTangents`].
+
+use super::any_state::AnyState;
+use crate::{IntegrationError, Integrator, Start, Step, StepError};
+use core::any::Any;
+use core::fmt;
+use core::ops::Range;
+use lie_poisson::{DualNumber, Real, State, Vector};
+use momentum_map::LiftError;
+
+/// The storage of the steps of any integrator.
+pub struct AnyWorkspace(Box<dyn Any>);
+
+impl AnyWorkspace {
+    /// Returns the storage as that of an integrator. That of another integrator is replaced.
+    fn of<I: Integrator<T, Workspace: 'static>, T: Real>(
+        &mut self,
+        integrator: &I,
+    ) -> &mut I::Workspace {
+        if !self.0.is::<I::Workspace>() {
+            self.0 = Box::new(integrator.workspace());
+        }
+        match self.0.downcast_mut() {
+            Some(workspace) => workspace,
+            None => unreachable!("the storage has this type"),
+        }
+    }
+}
+
+impl fmt::Debug for AnyWorkspace {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        to.write_str("AnyWorkspace")
+    }
+}
+
+/// The steps of an integrator over a scalar, whatever its type: the methods of [`Integrator`] on [`AnyState`]s.
+pub trait AnySteps<T: Real>: Send + Sync {
+    /// Allocates the storage of a step.
+    fn workspace(&self) -> AnyWorkspace;
+
+    /// Replaces the state by the state after one step, and returns the number of iterations.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Integrator::step_in_place`].
+    fn step_in_place(
+        &self,
+        state: &mut AnyState<T>,
+        step: f64,
+        workspace: &mut AnyWorkspace,
+    ) -> Result<usize, StepError>;
+
+    /// Advances a state over many steps in one call.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Integrator::advance`].
+    fn advance(
+        &self,
+        state: &mut AnyState<T>,
+        step: f64,
+        steps: Range<u64>,
+        workspace: &mut AnyWorkspace,
+    ) -> Result<usize, IntegrationError>;
+
+    /// Forgets the earlier steps.
+    fn forget(&self, workspace: &mut AnyWorkspace);
+
+    /// Moves no state along its fibre any more.
+    fn pin(&self, workspace: &mut AnyWorkspace);
+
+    /// Returns the momentum of a state.
+    fn momentum(&self, state: &AnyState<T>) -> AnyState<T>;
+}
+
+/// The steps of an integrator that can start from a momentum.
+pub trait AnyStart: AnySteps<f64> {
+    /// Returns a state that represents a momentum.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Start::start`].
+    fn start(&self, mu: &AnyState) -> Result<AnyState, LiftError>;
+
+    /// Returns the dimension of the states.
+    fn state_dimension(&self) -> usize;
+
+    /// Returns whether the states are momenta.
+    fn states_are_momenta(&self) -> bool;
+}
+
+/// The steps of an integrator that has tangent maps.
+pub trait AnyTangents: AnyStart + AnySteps<DualNumber> {}
+
+impl<I: AnyStart + AnySteps<DualNumber>> AnyTangents for I {}
+
+/// An integrator on momenta whose first coordinates, `dimension` of them, are those of the system. The others are zero.
+pub(super) struct Erased<I, S> {
+    pub(super) integrator: I,
+    /// The shape of the states.
+    pub(super) shape: S,
+    pub(super) dimension: usize,
+}
+
+impl<I, S> Erased<I, S> {
+    /// Returns the state with these coordinates in the type of the integrator.
+    fn typed<T: Real>(&self, state: &AnyState<T>) -> I::State
+    where
+        I: Integrator<T, State: State<Shape = S>>,
+    {
+        let mut typed = I::State::zeros_of(&self.shape);
+        typed.set_entries(|i| state.entry(i));
+        typed
+    }
+}
+
+/// An integrator whose step is compiled once, for single steps and for many.
+struct Once<'a, I>(&'a I);
+
+impl<T: Real, I: Integrator<T>> Integrator<T> for Once<'_, I> {
+    type State = I::State;
+    type Momentum = I::Momentum;
+    type Workspace = I::Workspace;
+
+    fn workspace(&self) -> I::Workspace {
+        self.0.workspace()
+    }
+
+    fn step(
+        &self,
+        state: &I::State,
+        step: f64,
+        workspace: &mut I::Workspace,
+    ) -> Result<Step<I::State>, StepError> {
+        let mut point = state.clone();
+        let iterations = self.step_in_place(&mut point, step, workspace)?;
+        Ok(Step { point, iterations })
+    }
+
+    #[inline(never)]
+    fn step_in_place(
+        &self,
+        state: &mut I::State,
+        step: f64,
+        workspace: &mut I::Workspace,
+    ) -> Result<usize, StepError> {
+        self.0.step_in_place(state, step, workspace)
+    }
+
+    fn forget(&self, workspace: &mut I::Workspace) {
+        self.0.forget(workspace);
+    }
+
+    fn momentum(&self, state: &I::State) -> I::Momentum {
+        self.0.momentum(state)
+    }
+}
+
+impl<I, S, T: Real> AnySteps<T> for Erased<I, S>
+where
+    I: Integrator<T, State: State<Shape = S>> + Send + Sync + 'static,
+    S: Send + Sync,
+{
+    fn workspace(&self) -> AnyWorkspace {
+        AnyWorkspace(Box::new(self.integrator.workspace()))
+    }
+
+    fn step_in_place(
+        &self,
+        state: &mut AnyState<T>,
+        step: f64,
+        workspace: &mut AnyWorkspace,
+    ) -> Result<usize, StepError> {
+        let workspace = workspace.of::<I, T>(&self.integrator);
+        let mut typed = self.typed(state);
+        let iterations = Once(&self.integrator).step_in_place(&mut typed, step, workspace)?;
+        state.set_entries(|i| typed.entry(i));
+        Ok(iterations)
+    }
+
+    fn advance(
+        &self,
+        state: &mut AnyState<T>,
+        step: f64,
+        steps: Range<u64>,
+        workspace: &mut AnyWorkspace,
+    ) -> Result<usize, IntegrationError> {
+        let workspace = workspace.of::<I, T>(&self.integrator);
+        let mut typed = self.typed(state);
+        let outcome = Once(&self.integrator).advance(&mut typed, step, steps, workspace);
+        state.set_entries(|i| typed.entry(i));
+        outcome
+    }
+
+    fn forget(&self, workspace: &mut AnyWorkspace) {
+        self.integrator.forget(workspace.of::<I, T>(&self.integrator));
+    }
+
+    fn pin(&self, workspace: &mut AnyWorkspace) {
+        self.integrator.pin(workspace.of::<I, T>(&self.integrator));
+    }
+
+    fn momentum(&self, state: &AnyState<T>) -> AnyState<T> {
+        let momentum = self.integrator.momentum(&self.typed(state));
+        AnyState::beginning_of(&momentum, self.dimension)
+    }
+}
+
+impl<I, S> AnyStart for Erased<I, S>
+where
+    I: Start<State: State<Shape = S>, Momentum: Vector> + Send + Sync + 'static,
+    S: Send + Sync,
+{
+    fn start(&self, mu: &AnyState) -> Result<AnyState, LiftError> {
+        let typed = Vector::from_coordinates(|i| mu.entry(i));
+        Ok(AnyState::of(&self.integrator.start(&typed)?))
+    }
+
+    fn state_dimension(&self) -> usize {
+        I::State::zeros_of(&self.shape).dimension()
+    }
+
+    fn states_are_momenta(&self) -> bool {
+        AnyStart::state_dimension(self) == <I::Momentum as Vector>::DIM
+    }
+}
