@@ -115,8 +115,7 @@ impl<T: Real> State for AnyState<T> {
     }
 
     fn blocks(&self) -> usize {
-        let last = self.dimension().saturating_sub(1);
-        self.block_of(last) + 1
+        self.dimension().checked_sub(1).map_or(1, |last| self.block_of(last) + 1)
     }
 
     fn block_of(&self, i: usize) -> usize {
