@@ -133,12 +133,28 @@ impl ClebschSection {
         (Vector::select(zero, &Vector::zero(), &z), T::select(zero, T::zero(), residual))
     }
 
-    /// Sets the coordinates on which J does not depend to zero: those of p on which no ξq has a component, and those of
-    /// invariant q. They may grow, and then hide how the others compare. What is not finite becomes NaN, which a step
-    /// refuses.
+    /// Sets the coordinates on which J does not depend to zero where they are larger than the others of q, or of p: those of
+    /// p on which no ξq has a component, and those of invariant q. They would hide how the others compare. Smaller ones stay,
+    /// so that a z that is near stays the same, and with it what integrators remember of it.
     fn without_idle_coordinates<V: Vector>(&self, z: &V) -> V {
+        let half = self.matters.len() / 2;
+        let largest = |halves: bool, matters: bool| {
+            let these = self
+                .matters
+                .iter()
+                .enumerate()
+                .filter(|(i, m)| (*i < half) == halves && **m == matters);
+            these.fold(V::Scalar::from_f64(0.0), |most, (i, _)| {
+                most.larger(z.coordinate(i).magnitude())
+            })
+        };
+        let keeps = [true, false].map(|first| largest(first, false).at_most(largest(first, true)));
         V::from_coordinates(|i| match self.matters.get(i) {
-            Some(false) => z.coordinate(i) * 0.0,
+            Some(false) => {
+                let [q, p] = keeps;
+                let kept = if i < half { q } else { p };
+                Real::select(kept, z.coordinate(i), V::Scalar::from_f64(0.0))
+            }
             _ => z.coordinate(i),
         })
     }
@@ -165,8 +181,8 @@ impl ClebschSection {
 const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
 
 impl<R: Representation> Fibres<ClebschMap<R>> for ClebschSection {
-    /// Returns a point near the origin on the fibre through z, with sizes of q and p within a factor 16 of each other, and
-    /// zeros for the coordinates on which J does not depend.
+    /// Returns a point near the origin on the fibre through z, with sizes of q and p within a factor 16 of each other.
+    /// Coordinates on which J does not depend are not larger than others.
     ///
     /// The fibre contains all (aq, p/a). A power of two for a balances q and p without rounding errors. The iteration
     /// then has one unit for all coordinates. With a unit for each block the curve would have no point of least length.
