@@ -63,11 +63,12 @@ impl<V: State> Branch<'_, V> {
     ) -> (Result<usize, StepError>, MaskOf<V>) {
         let terms = terms(self.field, (self.z, self.step), rate);
         let (mut done, mut made) = (sweeps.converged, sweeps.iterations);
-        let cancels = cancels(&terms, rate).and(done.not());
+        let cancels = cancels(&terms, (self.z, self.step), rate).and(done.not());
+        let terms = &terms.of_step;
         let mut found = cancels;
         if cancels.any() {
             fill_unless(cancels.not(), k, rate);
-            made += match self.sweep(cancels.not(), &terms, k) {
+            made += match self.sweep(cancels.not(), terms, k) {
                 Ok(iterations) => iterations,
                 Err(failed) => {
                     found = failed.converged.and(cancels);
@@ -79,7 +80,7 @@ impl<V: State> Branch<'_, V> {
                 return (Ok(made), found);
             }
         }
-        (self.solve_by_newton((done, made), &terms, rate, k, space), found)
+        (self.solve_by_newton((done, made), terms, rate, k, space), found)
     }
 
     /// Sweeps from the guess in `k`, in the lanes that are not `done`. Changes are compared with the terms.

@@ -27,7 +27,7 @@ const SAMPLES: u64 = 64;
 /// A run of up to 5120 steps is repeated, with the step h and with h/2. The error of the run is the largest difference
 /// d(t) of the two, times 2ᵖ/(2ᵖ − 1). Of a longer run only the beginning is repeated, 5120 steps or a twentieth of the
 /// run, and at most 2¹⁸ steps; the error is then scaled to the whole run by the growth of d: by the power of the time
-/// that fits it, from 1 to 2, or by an exponential, if d grows faster. The estimate costs three times the steps that it
+/// that fits it, from 1 to 2, or by an exponential, if d grows faster and is no round-off. The estimate costs three times the steps that it
 /// repeats: 15 % of a long run, and three times a run of up to 5120 steps.
 ///
 /// On integrable and on chaotic tops, for methods of order 2, 4 and 8 and steps from 0.02 to 1 rad, it was between 1/3 and
