@@ -135,7 +135,8 @@ impl ClebschSection {
 
     /// Sets the coordinates on which J does not depend to zero where they are larger than the others of q, or of p: those of
     /// p on which no ξq has a component, and those of invariant q. They would hide how the others compare. Smaller ones stay,
-    /// so that a z that is near stays the same, and with it what integrators remember of it.
+    /// so that a z that is near stays the same, and with it what integrators remember of it. What is not finite becomes NaN,
+    /// which a step refuses.
     fn without_idle_coordinates<V: Vector>(&self, z: &V) -> V {
         let half = self.matters.len() / 2;
         let largest = |halves: bool, matters: bool| {
@@ -153,7 +154,7 @@ impl ClebschSection {
             Some(false) => {
                 let [q, p] = keeps;
                 let kept = if i < half { q } else { p };
-                Real::select(kept, z.coordinate(i), V::Scalar::from_f64(0.0))
+                Real::select(kept, z.coordinate(i), z.coordinate(i) * 0.0)
             }
             _ => z.coordinate(i),
         })
