@@ -142,7 +142,7 @@ impl Method {
         }
     }
 
-    /// Returns the integrator for this top that carries the [attitude](WithAttitude) along, whose unit quaternion is in the
+    /// Returns the integrator for this top that carries the [attitude](crate::WithAttitude) along, whose unit quaternion is in the
     /// last four coordinates of its states. It is `None` for the direct formulation, whose six equations do not determine
     /// the attitude.
     ///
