@@ -22,7 +22,7 @@
 //!
 //! let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
 //! let start = AnyState::from_slice(&[2.0, 3.0, 4.0, 0.6, 0.0, 0.8]);
-//! let energy = |mu: &AnyState| {
+//! let energy = |mu: &AnyState| -> f64 {
 //!     Invariant::Energy.value(&top, &Se3Dual::from_coordinates(|i| mu.as_slice()[i]))
 //! };
 //! // the drift of the energy over 100 steps of 0.02
