@@ -240,14 +240,19 @@ fn coordinates_that_are_round_off_do_not_stop_a_run() {
     assert_eq!((runs.made, runs.failed), (6, 0));
 }
 
-/// On aff(2) x and y decay to round-off, and with them a block of z that begins each step at zero. Sweeps compare it with its
-/// terms once Newton's iteration has been needed for that: 12 iterations a step, 33 with Newton's in each.
-#[test]
-fn blocks_that_are_round_off_cost_few_iterations() {
+/// The collective integrator on aff(2) whose start makes x and y decay to round-off, and this start.
+fn decaying(gauss: RungeKutta) -> (impl Start<Momentum = Momentum<6>, State: Vector>, Momentum<6>) {
     let map = extended(&table::<6>(&AFFINE, 1.0).unwrap()).unwrap();
     let map = clebsch_realisation(map, Side::Right).unwrap();
-    let gauss = Collective::new(RungeKutta::gauss(4).unwrap(), map, Automatic(Round::<6>));
     let start = Covector(SVector::<f64, 6>::new(0.2, 0.5, 0.0, -0.2, -0.6, -1.3));
+    (Collective::new(gauss, map, Automatic(Round::<6>)), start)
+}
+
+/// With x and y a block of z decays to round-off, which begins each step at zero. Sweeps compare it with its terms once
+/// Newton's iteration has been needed for that: 12 iterations a step, 33 with Newton's in each.
+#[test]
+fn blocks_that_are_round_off_cost_few_iterations() {
+    let (gauss, start) = decaying(RungeKutta::gauss(4).unwrap());
     let mut iterations = 0;
     for sample in gauss.trajectory(&start, 0.1).unwrap().take(1001).skip(600) {
         let sample = sample.unwrap();
@@ -256,6 +261,21 @@ fn blocks_that_are_round_off_cost_few_iterations() {
         assert!(change.abs() < 1e-12 && sample.momentum.0[4].abs() < 1e-12, "{}", sample.time);
     }
     assert!(iterations < 15 * 400, "{iterations}");
+}
+
+/// A workspace that has met such blocks serves a method without Newton's iteration, and another state, as a new one does.
+#[test]
+fn a_workspace_that_has_met_round_off_serves_other_methods() {
+    let gauss = RungeKutta::gauss(4).unwrap();
+    let (with_newton, start) = decaying(gauss.clone());
+    let (mut z, mut used) = (with_newton.start(&start).unwrap(), with_newton.workspace());
+    with_newton.advance(&mut z, 0.1, 0..900, &mut used).unwrap();
+    let sweeps = StageSolver { newton: false, ..StageSolver::default() };
+    let (alone, start) = decaying(gauss.with_solver(sweeps));
+    let z = alone.start(&start).unwrap();
+    let [again, fresh] =
+        [&mut used, &mut alone.workspace()].map(|space| alone.step(&z, 0.1, space).unwrap());
+    assert_eq!(again.point, fresh.point);
 }
 
 /// Control: without moves along the fibres z grows until nothing is left of M(z).

@@ -1,19 +1,19 @@
 //! The integrator of a system: one type for each algebra, formulation and scheme.
 
-use super::clebsch_maps::{adjoint_map, coadjoint_map};
+use super::clebsch_maps::{ClebschMap, clebsch_map};
 use super::invariant_guard::InvariantGuard;
 use super::offers::refusal;
 use crate::algebras::system_algebra::Family;
 use crate::{FormulaSystem, FormulaSystemError};
 use collective_integrators::{
-    AnyIntegrator, AnyTangents, ByPointer, Collective, Composition, Direct, Equivariant,
-    HamiltonianField, LiftFree, RungeKutta, StageSolver, Start, TangentIntegrator,
+    AnyIntegrator, AnyTangents, ByPointer, Collective, Composition, Direct, HamiltonianField,
+    LiftFree, RungeKutta, Scheme, StageSolver, Start, TangentIntegrator,
 };
 use heavytop::SpinorRealisation;
-use heavytop::methods::{Formulation, MethodError, SchemeName};
+use heavytop::methods::{ComposedScheme, Formulation, MethodError, SchemeName};
 use lie_poisson::{LieAlgebra, LiePoisson, Momentum, Se3, So3, StructureConstants, Vector};
 use lie_poisson_formulas::{Formula, FormulaHamiltonian, structure_constants};
-use momentum_map::{DualQuaternions, HOPF, Lift, PoissonMap, Quaternions};
+use momentum_map::{DualQuaternions, HOPF, PoissonMap, Quaternions};
 
 /// A system with the method of its integration, for runs from a state.
 pub(super) struct Integration<'a> {
@@ -27,10 +27,8 @@ pub(super) struct Integration<'a> {
 /// The integrator of a system.
 type Made = Result<AnyIntegrator<dyn AnyTangents>, FormulaSystemError>;
 
-/// A scheme that descends, for an integrator whose type is hidden.
-trait AnyScheme: Equivariant + Send + Sync + 'static {}
-
-impl<S: Equivariant + Send + Sync + 'static> AnyScheme for S {}
+/// Any scheme, whose type is one: a step is a composition of one substep.
+type AnyScheme = Composition<RungeKutta>;
 
 impl Integration<'_> {
     /// Makes the integrator.
@@ -39,23 +37,23 @@ impl Integration<'_> {
         let solver = StageSolver { tolerance: self.tolerance, ..StageSolver::default() };
         let midpoint = || RungeKutta::implicit_midpoint().with_solver(solver);
         let failed = |reason| MethodError::Scheme { scheme, reason };
-        match scheme {
-            SchemeName::ImplicitMidpoint => self.with(midpoint()),
+        let once = |base| (base, ComposedScheme::Strang);
+        let (base, raise) = match scheme {
+            SchemeName::ImplicitMidpoint => once(midpoint()),
             SchemeName::Gauss(stages) => {
                 let gauss = RungeKutta::gauss(stages.into()).map_err(failed)?;
-                self.with(gauss.with_solver(solver))
+                once(gauss.with_solver(solver))
             }
-            SchemeName::ExplicitMidpoint => self.with(RungeKutta::explicit_midpoint()),
-            SchemeName::Rk4 => self.with(RungeKutta::rk4()),
-            SchemeName::Composed(raise) => {
-                let substeps = raise.substeps().map_err(failed)?;
-                self.with(Composition::new(midpoint(), substeps))
-            }
-            SchemeName::Partitioned(_) => Err(self.impossible()),
-        }
+            SchemeName::ExplicitMidpoint => once(RungeKutta::explicit_midpoint()),
+            SchemeName::Rk4 => once(RungeKutta::rk4()),
+            SchemeName::Composed(raise) => (midpoint(), raise),
+            SchemeName::Partitioned(_) => return Err(self.impossible()),
+        };
+        let substeps = raise.substeps().map_err(failed)?;
+        self.with(Composition::new(base, substeps))
     }
 
-    fn with<S: AnyScheme>(&self, scheme: S) -> Made {
+    fn with(&self, scheme: AnyScheme) -> Made {
         let algebra = self.system.algebra();
         Ok(match (self.formulation, algebra.family) {
             // Π and Γ have units of their own, which the structure constants of an algebra do not tell.
@@ -66,10 +64,10 @@ impl Integration<'_> {
             }
             (Formulation::Direct, _) => {
                 return match algebra.width() {
-                    3 => self.direct::<3, S>(scheme),
-                    6 => self.direct::<6, S>(scheme),
-                    10 => self.direct::<10, S>(scheme),
-                    _ => self.direct::<15, S>(scheme),
+                    3 => self.direct::<3>(scheme),
+                    6 => self.direct::<6>(scheme),
+                    10 => self.direct::<10>(scheme),
+                    _ => self.direct::<15>(scheme),
                 };
             }
             (Formulation::Collective, Family::Rotations) => {
@@ -87,11 +85,11 @@ impl Integration<'_> {
             }
             (Formulation::Collective, Family::Other) => {
                 return match algebra.dimension() {
-                    2 => self.clebsch::<2, S>(scheme),
-                    3 => self.clebsch::<3, S>(scheme),
-                    4 => self.clebsch::<4, S>(scheme),
-                    5 => self.clebsch::<5, S>(scheme),
-                    6 => self.clebsch::<6, S>(scheme),
+                    2 => self.clebsch::<2>(scheme),
+                    3 => self.clebsch::<3>(scheme),
+                    4 => self.clebsch::<4>(scheme),
+                    5 => self.clebsch::<5>(scheme),
+                    6 => self.clebsch::<6>(scheme),
                     _ => Err(self.impossible()),
                 };
             }
@@ -100,17 +98,11 @@ impl Integration<'_> {
         })
     }
 
-    /// Applies the scheme on T∗V, read through the Clebsch map of the adjoint representation. If the start has no lift,
-    /// the map of the coadjoint representation is used instead.
-    fn clebsch<const N: usize, S: AnyScheme>(&self, scheme: S) -> Made {
+    /// Applies the scheme on T∗V, read through the Clebsch map.
+    fn clebsch<const N: usize>(&self, scheme: AnyScheme) -> Made {
         let (hamiltonian, order) = (self.hamiltonian::<StructureConstants<N>>()?, scheme.order());
-        let map = adjoint_map(self.table::<N>()?, || self.impossible())?;
-        if map.lift(&self.momentum::<N>()).is_ok() {
-            // A step of these costs so much that calls cost nothing.
-            let collective = Collective::new(ByPointer(scheme), map, hamiltonian);
-            return Ok(self.any(self.guarded(collective, order)?));
-        }
-        let map = coadjoint_map(self.table::<N>()?, || self.impossible())?;
+        let map = self.clebsch_map::<N>()?;
+        // A step of these costs so much that calls cost nothing.
         let collective = Collective::new(ByPointer(scheme), map, hamiltonian);
         Ok(self.any(self.guarded(collective, order)?))
     }
@@ -141,12 +133,13 @@ impl Integration<'_> {
     }
 
     fn clebsch_descends<const N: usize>(&self) -> Result<bool, FormulaSystemError> {
-        let map = adjoint_map(self.table::<N>()?, || self.impossible())?;
-        if map.lift(&self.momentum::<N>()).is_ok() {
-            return Ok(map.equivariant_maps_descend());
-        }
-        let map = coadjoint_map(self.table::<N>()?, || self.impossible())?;
-        Ok(map.equivariant_maps_descend())
+        Ok(self.clebsch_map::<N>()?.equivariant_maps_descend())
+    }
+
+    /// Returns the Clebsch map of the adjoint representation. If the start has no lift, it is that of the coadjoint
+    /// representation.
+    fn clebsch_map<const N: usize>(&self) -> Result<ClebschMap<N>, FormulaSystemError> {
+        clebsch_map(self.table::<N>()?, &self.momentum::<N>(), || self.impossible())
     }
 
     /// Returns the start as a momentum.
@@ -155,7 +148,7 @@ impl Integration<'_> {
     }
 
     /// Applies the scheme to the equations, on the algebra that is completed to the dimension N.
-    fn direct<const N: usize, S: AnyScheme>(&self, scheme: S) -> Made {
+    fn direct<const N: usize>(&self, scheme: AnyScheme) -> Made {
         let space = LiePoisson::minus(self.table::<N>()?);
         let hamiltonian = of(self.system.completed())?;
         Ok(self.any(Direct::new(scheme, HamiltonianField { space, hamiltonian })))

@@ -1,6 +1,6 @@
 //! The polynomial Casimirs of an algebra: [`find_casimirs`].
 
-use super::bracket_table::constants;
+use super::bracket_table::{Constant, constants};
 use super::casimir_error::CasimirError;
 use super::exact::recognition::recognised;
 use super::monomials::count;
@@ -11,7 +11,7 @@ use crate::hamiltonians::formula::Formula;
 use crate::names::coordinates::Coordinates;
 use crate::names::parameters::Parameters;
 use crate::names::vocabulary::Vocabulary;
-use lie_poisson::{LieAlgebra, Momentum, Vector};
+use lie_poisson::{LieAlgebra, Vector};
 
 /// The largest degree of the Casimirs that are searched for.
 const HIGHEST_DEGREE: u8 = 4;
@@ -121,12 +121,21 @@ pub fn find_casimirs<A: LieAlgebra>(
     if names != dimension {
         return Err(CasimirError::WrongDimension { names, dimension });
     }
-    let constants = constants(algebra)?;
-    let scales = Scales::of(dimension, &constants);
+    search(&constants(algebra)?, coordinates)
+}
+
+/// Finds the Casimirs of the algebra with these constants. The dimension is no parameter of a type, so that the search is
+/// compiled once.
+fn search(
+    constants: &[Constant],
+    coordinates: &Coordinates,
+) -> Result<PolynomialCasimirs, CasimirError> {
+    let dimension = coordinates.dimension();
+    let scales = Scales::of(dimension, constants);
     let vocabulary = Vocabulary::new(coordinates, &Parameters::new())?;
-    let search = Search { algebra, coordinates, vocabulary: &vocabulary, scales: &scales };
-    let numeric = NumericBrackets::new(dimension, &constants, &scales);
-    let Some(exact) = recognised(dimension, &constants, &scales) else {
+    let search = Search { constants, coordinates, vocabulary: &vocabulary, scales: &scales };
+    let numeric = NumericBrackets::new(dimension, constants, &scales);
+    let Some(exact) = recognised(dimension, constants, &scales) else {
         let NumericRank { rank, gap } = numeric.generic_rank();
         let found = search.run(dimension - rank, |degree| numeric.invariants(degree));
         return Ok(PolynomialCasimirs { gap: Some(gap), ..found });
@@ -147,21 +156,21 @@ pub fn find_casimirs<A: LieAlgebra>(
 }
 
 /// The search for the Casimirs of an algebra.
-struct Search<'a, A> {
-    algebra: &'a A,
+struct Search<'a> {
+    constants: &'a [Constant],
     coordinates: &'a Coordinates,
     vocabulary: &'a Vocabulary,
     scales: &'a Scales,
 }
 
-impl<A: LieAlgebra> Search<'_, A> {
+impl Search<'_> {
     /// Collects independent Casimirs, degree by degree, from a basis of those of each degree. `None` ends the search.
     fn run(
         &self,
         independent: usize,
         mut invariants: impl FnMut(u8) -> Option<Vec<Polynomial>>,
     ) -> PolynomialCasimirs {
-        let dimension = A::Element::<f64>::DIM;
+        let dimension = self.coordinates.dimension();
         let point = generic_point(dimension, 0);
         let (mut formulas, mut degrees, mut searched) = (Vec::new(), Vec::new(), 0);
         let mut directions: Vec<Vec<f64>> = Vec::new();
@@ -193,7 +202,7 @@ impl<A: LieAlgebra> Search<'_, A> {
     fn formula(&self, polynomial: Polynomial) -> Option<Formula> {
         let text = polynomial.normalised().text(self.coordinates);
         let formula = Formula::new(&text, self.vocabulary).ok();
-        formula.filter(|formula| is_casimir(self.algebra, formula, self.scales))
+        formula.filter(|formula| is_casimir(self.constants, formula, self.scales))
     }
 }
 
@@ -209,29 +218,33 @@ fn apart(mut vector: Vec<f64>, others: &[Vec<f64>]) -> Option<Vec<f64>> {
     (length > INDEPENDENT).then(|| vector.iter().map(|x| x / length).collect())
 }
 
-/// Returns whether `ad∗_ξ μ` = 0 for ξ = dC(μ) at three points, up to rounding, in units of the coordinates.
-fn is_casimir<A: LieAlgebra>(algebra: &A, casimir: &Formula, scales: &Scales) -> bool {
-    let dimension = A::Element::<f64>::DIM;
-    let size = |rate: &Momentum<A>| {
-        let relative = (0..dimension).map(|i| shifted(rate.coordinate(i), -scales.exponent(i)));
+/// Returns whether `ad∗_ξ μ` = 0 for ξ = dC(μ) at three points, up to rounding, in units of the coordinates: the largest of
+/// the sums Σ_ik c_ijk ξ_i μ_k against the sum over i of the largest Σ_k c_ijk ξ_i μ_k.
+fn is_casimir(constants: &[Constant], casimir: &Formula, scales: &Scales) -> bool {
+    let dimension = casimir.dimension();
+    let size = |rate: &[f64]| {
+        let relative = rate.iter().enumerate().map(|(j, rate)| shifted(*rate, -scales.exponent(j)));
         relative.fold(0.0_f64, |size, x| if x.abs() <= size { size } else { x.abs() })
     };
     (1..4).all(|sample| {
         let point = generic_point(dimension, sample);
-        let at = |i: usize| point.get(i).map_or(0.0, |x| shifted(*x, scales.exponent(i)));
-        let mu: Momentum<A> = Vector::from_coordinates(at);
-        let xi = casimir.differential(&mu);
-        let terms = (0..dimension).map(|i| {
-            let part: A::Element<f64> = A::Element::<f64>::basis(i).scaled(xi.coordinate(i));
-            size(&algebra.coadjoint::<f64>(&part, &mu))
-        });
-        size(&algebra.coadjoint::<f64>(&xi, &mu)) <= ROUNDING * terms.sum::<f64>()
+        let mu: Vec<f64> =
+            point.iter().enumerate().map(|(i, x)| shifted(*x, scales.exponent(i))).collect();
+        let xi = casimir.differential_at(&mu);
+        let mut parts = vec![vec![0.0; dimension]; dimension];
+        for &Constant { i, j, k, value } in constants {
+            parts[i][j] += value * xi[i] * mu[k];
+        }
+        let rate: Vec<f64> =
+            (0..dimension).map(|j| parts.iter().map(|part| part[j]).sum()).collect();
+        let terms: f64 = parts.iter().map(|part| size(part)).sum();
+        size(&rate) <= ROUNDING * terms
     })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{CasimirError, Scales, is_casimir};
+    use super::{CasimirError, Scales, constants, is_casimir};
     use crate::{Formula, NamedAlgebra, Parameters, Vocabulary};
     use lie_poisson::Se3;
 
@@ -239,12 +252,13 @@ mod tests {
     fn what_is_no_casimir_is_not_listed() -> Result<(), CasimirError> {
         let se3 = Se3::default();
         let names = Vocabulary::new(&se3.coordinates()?, &Parameters::new())?;
+        let table = constants(&se3)?;
         let casimirs = ["|Gamma|^2", "Pi·Gamma", "1e20*Pi·Gamma", "1e-20*|Gamma|^2"];
         let others = ["|Pi|^2", "1e-20*|Pi|^2", "Gamma3", "|Gamma|^2 + 1e-6*Pi1^2"];
         for (texts, expected) in [(casimirs, true), (others, false)] {
             for text in texts {
                 let found = Formula::new(text, &names)
-                    .map(|formula| is_casimir(&se3, &formula, &Scales::equal(6, &[])));
+                    .map(|formula| is_casimir(&table, &formula, &Scales::equal(6, &[])));
                 assert_eq!(found.ok(), Some(expected), "{text}");
             }
         }

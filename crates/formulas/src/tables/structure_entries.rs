@@ -72,9 +72,17 @@ pub enum EntryError {
 pub fn structure_constants<const N: usize>(
     entries: &[StructureEntry],
 ) -> Result<StructureConstants<N>, EntryError> {
+    let table = dense(N, entries)?;
+    let at = |i: usize, j: usize, k: usize| table.get((i * N + j) * N + k).copied();
+    Ok(StructureConstants::new(|i, j, k| at(i, j, k).unwrap_or(0.0))?)
+}
+
+/// Returns the whole table, with `c[i][j][k]` at (i N + j) N + k. The dimension is no parameter of a type, so that the checks
+/// are compiled once.
+fn dense(dimension: usize, entries: &[StructureEntry]) -> Result<Vec<f64>, EntryError> {
     for (entry, &StructureEntry { i, j, k, value }) in entries.iter().enumerate() {
-        if let Some(index) = [i, j, k].into_iter().find(|&index| index >= N) {
-            return Err(EntryError::IndexTooLarge { entry, index, dimension: N });
+        if let Some(index) = [i, j, k].into_iter().find(|&index| index >= dimension) {
+            return Err(EntryError::IndexTooLarge { entry, index, dimension });
         }
         if i == j && value != 0.0 {
             return Err(EntryError::WithItself { entry, index: i });
@@ -89,14 +97,13 @@ pub fn structure_constants<const N: usize>(
             return Err(EntryError::Contradiction { entry, earlier });
         }
     }
-    let mut table = vec![0.0; N * N * N];
+    let mut table = vec![0.0; dimension.pow(3)];
     for &StructureEntry { i, j, k, value } in entries {
         for (i, j, value) in [(i, j, value), (j, i, -value)] {
-            if let Some(constant) = table.get_mut((i * N + j) * N + k) {
+            if let Some(constant) = table.get_mut((i * dimension + j) * dimension + k) {
                 *constant = value;
             }
         }
     }
-    let at = |i: usize, j: usize, k: usize| table.get((i * N + j) * N + k).copied();
-    Ok(StructureConstants::new(|i, j, k| at(i, j, k).unwrap_or(0.0))?)
+    Ok(table)
 }

@@ -154,10 +154,24 @@ impl Tape {
         for &(register, number) in &*self.numbers {
             registers[usize::from(register) % SIZE] = T::from_f64(number);
         }
-        for instruction in &*self.instructions {
-            instruction.execute(&mut registers);
+        match T::HAS_SLOW_PATHS {
+            true => self.execute_apart(&mut registers),
+            false => self.execute(&mut registers),
         }
         results(registers.get(inputs..inputs + outputs).unwrap_or_default())
+    }
+
+    #[inline(always)]
+    fn execute<T: Real, const SIZE: usize>(&self, registers: &mut [T; SIZE]) {
+        for instruction in &*self.instructions {
+            instruction.execute(registers);
+        }
+    }
+
+    /// Executes the instructions in code that is compiled once for each scalar, and not for each caller.
+    #[inline(never)]
+    fn execute_apart<T: Real, const SIZE: usize>(&self, registers: &mut [T; SIZE]) {
+        self.execute(registers);
     }
 }
 

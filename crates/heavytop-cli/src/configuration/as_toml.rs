@@ -3,10 +3,31 @@
 use super::config::Config;
 use crate::Error;
 use crate::vocabulary::brief;
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer};
 use std::collections::BTreeSet;
 use toml::{Table, Value};
 
+/// The error of a table that is no configuration, with the path of the key at fault.
+type Misread = serde_path_to_error::Error<toml::de::Error>;
+
+/// Reads the configuration in a larger table, by the code that reads a configuration alone.
+///
+/// # Errors
+/// If there are unknown keys or wrong types.
+pub(crate) fn inner<'de, D: Deserializer<'de>>(from: D) -> Result<Config, D::Error> {
+    Config::of_table(Table::deserialize(from)?).map_err(D::Error::custom)
+}
+
 impl Config {
+    /// Returns the configuration of a table.
+    ///
+    /// # Errors
+    /// If there are unknown keys or wrong types.
+    pub(crate) fn of_table(table: Table) -> Result<Self, Misread> {
+        serde_path_to_error::deserialize(table)
+    }
+
     /// Returns the configuration as TOML, which reads back as the same configuration. For a system it lacks the tables of
     /// tops.
     ///

@@ -10,6 +10,7 @@ mod config;
 mod preset;
 mod as_toml;
 
+pub(crate) use as_toml::inner;
 pub(crate) use config::IMPOSSIBLE;
 pub use config::{Config, OutputConfig};
 pub use integrator_config::{Instructions, Integration, IntegratorConfig};

@@ -2,7 +2,7 @@
 
 use super::tiled_run::{RESUME, TileOptions};
 use crate::Error;
-use crate::configuration::Config;
+use crate::configuration::{Config, inner};
 use crate::errors::CheckpointError;
 use crate::files::sealed::{self, damaged, of_this_version, open, seal};
 use crate::files::{Kind, Output, lock};
@@ -64,6 +64,7 @@ struct Identity {
     version: String,
     /// The instruction set on which the bits of the steps depend.
     instructions: String,
+    #[serde(deserialize_with = "inner")]
     configuration: Config,
 }
 

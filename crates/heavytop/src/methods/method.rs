@@ -7,9 +7,8 @@ use crate::{
     TopMidpoint,
 };
 use collective_integrators::{
-    AnyIntegrator, AnyTangents, Collective, Composition, Direct, Equivariant, FirstHalf,
-    HamiltonianField, LiftFree, PartitionedRungeKutta, RungeKutta, SchemeError, Splitting,
-    StageSolver,
+    AnyIntegrator, AnyTangents, Collective, Composition, Direct, FirstHalf, HamiltonianField,
+    LiftFree, PartitionedRungeKutta, RungeKutta, SchemeError, Splitting, StageSolver,
 };
 use lie_poisson::{InstructionSet, LiePoisson, MissingInstructions, Quaternion, Se3, Vector};
 use momentum_map::DualQuaternions;
@@ -191,30 +190,29 @@ impl Method {
     }
 
     fn make<W: Wanted>(&self, top: &HeavyTop) -> Result<W::Made, MethodError> {
-        match self.scheme {
-            SchemeName::ImplicitMidpoint => self.equivariant::<_, W>(self.midpoint(), top),
+        let once = |base| (base, ComposedScheme::Strang);
+        let (base, raise) = match self.scheme {
+            SchemeName::ImplicitMidpoint => once(self.midpoint()),
             SchemeName::Gauss(stages) => {
                 let gauss = RungeKutta::gauss(stages.into()).map_err(|e| self.failed(e))?;
-                self.equivariant::<_, W>(gauss.with_solver(self.solver()), top)
+                once(gauss.with_solver(self.solver()))
             }
-            SchemeName::ExplicitMidpoint => {
-                self.equivariant::<_, W>(RungeKutta::explicit_midpoint(), top)
-            }
-            SchemeName::Rk4 => self.equivariant::<_, W>(RungeKutta::rk4(), top),
-            SchemeName::Partitioned(pair) => self.partitioned::<W>(pair, top),
+            SchemeName::ExplicitMidpoint => once(RungeKutta::explicit_midpoint()),
+            SchemeName::Rk4 => once(RungeKutta::rk4()),
+            SchemeName::Partitioned(pair) => return self.partitioned::<W>(pair, top),
             SchemeName::Composed(raise) if self.formulation == Formulation::Splitting => {
-                self.splitting::<W>(raise, top)
+                return self.splitting::<W>(raise, top);
             }
-            SchemeName::Composed(raise) => {
-                let substeps = raise.substeps().map_err(|e| self.failed(e))?;
-                self.equivariant::<_, W>(Composition::new(self.midpoint(), substeps), top)
-            }
-        }
+            SchemeName::Composed(raise) => (self.midpoint(), raise),
+        };
+        let substeps = raise.substeps().map_err(|e| self.failed(e))?;
+        self.equivariant::<W>(Composition::new(base, substeps), top)
     }
 
-    fn equivariant<S: Equivariant + Send + Sync + 'static, W: Wanted>(
+    /// Makes the integrator of a scheme: one type for all, since a step is a composition of one substep.
+    fn equivariant<W: Wanted>(
         &self,
-        scheme: S,
+        scheme: Composition<RungeKutta>,
         top: &HeavyTop,
     ) -> Result<W::Made, MethodError> {
         Ok(match self.formulation {

@@ -1,6 +1,6 @@
 //! An integrator of any type: [`AnyIntegrator`].
 
-use super::any_state::AnyState;
+use super::any_state::{AnyState, BlockEnds};
 use super::any_steps::{AnyStart, AnySteps, AnyTangents, AnyWorkspace, Erased};
 use crate::{IntegrationError, Integrator, Start, Step, StepError, TangentIntegrator};
 use core::fmt;
@@ -77,12 +77,13 @@ impl<K: ?Sized + AnyStart> AnyIntegrator<K> {
     }
 }
 
-fn erased<I: Start<State: Vector>>(
+fn erased<I: Start<State: Vector, Momentum: Vector>>(
     integrator: I,
     dimension: usize,
 ) -> Erased<I, <I::State as State>::Shape> {
     let shape = I::State::from_coordinates(|_| 0.0).shape();
-    Erased { integrator, shape, dimension }
+    let momenta = BlockEnds::of(&I::Momentum::from_coordinates(|_| 0.0), dimension);
+    Erased { integrator, shape, momenta }
 }
 
 impl<K: ?Sized> fmt::Debug for AnyIntegrator<K> {

@@ -4,7 +4,7 @@ use lie_poisson::{Real, State};
 use smallvec::SmallVec;
 
 /// The number of coordinates that need no storage on the heap.
-const FEW: usize = 16;
+const FEW: usize = 12;
 
 /// The largest number of blocks of coordinates.
 const MOST_BLOCKS: usize = 4;
@@ -13,7 +13,7 @@ const MOST_BLOCKS: usize = 4;
 type Four<T> = (((T,), (T,)), ((T,), (T,)));
 
 /// A state or a momentum of an [`AnyIntegrator`](crate::AnyIntegrator): its coordinates, in at most four
-/// [blocks](State::BLOCKS). Up to 16 coordinates need no storage on the heap.
+/// [blocks](State::BLOCKS). Up to 12 coordinates need no storage on the heap.
 ///
 /// # Example
 /// ```
@@ -24,7 +24,7 @@ type Four<T> = (((T,), (T,)), ((T,), (T,)));
 /// assert_eq!(z.as_slice(), [1.0, 2.0, 3.0]);
 /// assert_eq!([0, 1, 2].map(|i| z.block_of(i)), [0, 1, 1]);
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct AnyState<T = f64> {
     values: SmallVec<[T; FEW]>,
     blocks: BlockEnds,
@@ -34,11 +34,10 @@ pub struct AnyState<T = f64> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlockEnds([usize; MOST_BLOCKS]);
 
-impl<T: Real> AnyState<T> {
-    /// Returns the coordinates of a vector, with its blocks. Blocks after the third count as one.
-    #[must_use]
-    pub fn of<V: State<Scalar = T>>(v: &V) -> Self {
-        let dimension = v.dimension();
+impl BlockEnds {
+    /// Returns the blocks of the first coordinates of a vector, at most `dimension`. Those after the third count as one.
+    pub(super) fn of<V: State>(v: &V, dimension: usize) -> Self {
+        let dimension = dimension.min(v.dimension());
         let mut ends = [dimension; MOST_BLOCKS];
         for i in (0..dimension).rev() {
             if let Some(end) = v.block_of(i).checked_sub(1).and_then(|before| ends.get_mut(before))
@@ -46,16 +45,32 @@ impl<T: Real> AnyState<T> {
                 *end = i;
             }
         }
-        Self { values: (0..dimension).map(|i| v.entry(i)).collect(), blocks: BlockEnds(ends) }
+        Self(ends)
+    }
+}
+
+impl<T: Real> AnyState<T> {
+    /// Returns the coordinates of a vector, with its blocks. Blocks after the third count as one.
+    #[must_use]
+    pub fn of<V: State<Scalar = T>>(v: &V) -> Self {
+        Self::with_blocks(v, BlockEnds::of(v, v.dimension()))
     }
 
-    /// Returns the first coordinates of a vector, at most `dimension`, with its blocks.
-    #[must_use]
-    pub fn beginning_of<V: State<Scalar = T>>(v: &V, dimension: usize) -> Self {
-        let mut all = Self::of(v);
-        all.values.truncate(dimension);
-        all.blocks.0.iter_mut().for_each(|end| *end = dimension.min(*end));
+    /// Returns the coordinates of a vector in these blocks.
+    pub(super) fn with_blocks<V: State<Scalar = T>>(v: &V, blocks: BlockEnds) -> Self {
+        let mut all = Self::zeros_of(&blocks);
+        all.copy_entries(v);
         all
+    }
+
+    /// Sets the coordinates to the first ones of a vector.
+    #[inline]
+    pub(super) fn copy_entries<V: State<Scalar = T>>(&mut self, v: &V) {
+        let (values, dimension) = (self.as_mut_slice(), v.dimension());
+        let dimension = dimension.min(values.len());
+        for (i, value) in values[..dimension].iter_mut().enumerate() {
+            *value = v.entry(i);
+        }
     }
 
     /// Returns the vector of one block with these coordinates.
@@ -74,6 +89,12 @@ impl<T: Real> AnyState<T> {
     /// Returns the coordinates, to be changed.
     pub fn as_mut_slice(&mut self) -> &mut [T] {
         &mut self.values
+    }
+}
+
+impl<T: Real> Clone for AnyState<T> {
+    fn clone(&self) -> Self {
+        Self { values: SmallVec::from_slice(&self.values), blocks: self.blocks }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The steps of an integrator behind a pointer: [`AnySteps`], [`AnyStart`] and [`AnyTangents`].
 
-use super::any_state::AnyState;
+use super::any_state::{AnyState, BlockEnds};
 use crate::{IntegrationError, Integrator, Start, Step, StepError};
 use core::any::Any;
 use core::fmt;
@@ -91,12 +91,13 @@ pub trait AnyTangents: AnyStart + AnySteps<DualNumber> {}
 
 impl<I: AnyStart + AnySteps<DualNumber>> AnyTangents for I {}
 
-/// An integrator on momenta whose first coordinates, `dimension` of them, are those of the system. The others are zero.
+/// An integrator on momenta whose first coordinates are those of the system. The others are zero.
 pub(super) struct Erased<I, S> {
     pub(super) integrator: I,
     /// The shape of the states.
     pub(super) shape: S,
-    pub(super) dimension: usize,
+    /// The blocks of the coordinates of the system.
+    pub(super) momenta: BlockEnds,
 }
 
 impl<I, S> Erased<I, S> {
@@ -106,7 +107,8 @@ impl<I, S> Erased<I, S> {
         I: Integrator<T, State: State<Shape = S>>,
     {
         let mut typed = I::State::zeros_of(&self.shape);
-        typed.set_entries(|i| state.entry(i));
+        let values = state.as_slice();
+        typed.set_entries(|i| values.get(i).copied().unwrap_or_else(T::zero));
         typed
     }
 }
@@ -171,7 +173,7 @@ where
         let workspace = workspace.of::<I, T>(&self.integrator);
         let mut typed = self.typed(state);
         let iterations = Once(&self.integrator).step_in_place(&mut typed, step, workspace)?;
-        state.set_entries(|i| typed.entry(i));
+        state.copy_entries(&typed);
         Ok(iterations)
     }
 
@@ -185,7 +187,7 @@ where
         let workspace = workspace.of::<I, T>(&self.integrator);
         let mut typed = self.typed(state);
         let outcome = Once(&self.integrator).advance(&mut typed, step, steps, workspace);
-        state.set_entries(|i| typed.entry(i));
+        state.copy_entries(&typed);
         outcome
     }
 
@@ -199,7 +201,7 @@ where
 
     fn momentum(&self, state: &AnyState<T>) -> AnyState<T> {
         let momentum = self.integrator.momentum(&self.typed(state));
-        AnyState::beginning_of(&momentum, self.dimension)
+        AnyState::with_blocks(&momentum, self.momenta)
     }
 }
 

@@ -91,21 +91,21 @@ impl RungeKutta {
         let lanes = self.columns.as_ref().map(|columns| (columns, step, &scale, rows));
         let equations = Stages { tableau, field, z, h, small, pool, lanes };
         let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
+        let may_follow =
+            T::HAS_SLOW_PATHS && self.solver.newton && newton.allows(self.tableau.stages(), z);
         // A lane gives the same bits alone, whatever the sweeps of the others have found.
         let cancelling = memory.cancelling();
-        let solved = if T::HAS_SLOW_PATHS && cancelling.all() {
+        let solved = if may_follow && cancelling.all() {
             Err(Unconverged::before())
         } else {
             memory.solve(&self.predictor, &self.solver, field, from, unknowns, equations)
         };
-        let solved = match T::HAS_SLOW_PATHS && cancelling.any() {
+        let solved = match may_follow && cancelling.any() {
             true => Unconverged::unless(solved, cancelling),
             false => solved,
         };
         let outcome = match solved {
-            Err(unconverged)
-                if T::HAS_SLOW_PATHS && self.solver.newton && newton.allows(k.len(), z) =>
-            {
+            Err(unconverged) if may_follow => {
                 field.at_into(z, &mut spare);
                 // Newton's iteration begins at X(z). If that is not a number, its dense matrix would be computed in
                 // vain.

@@ -54,16 +54,18 @@ impl<S> Composition<S> {
         &self.substeps
     }
 
-    /// Makes one substep after the other, until one fails. Returns the number of iterations.
+    /// Makes one substep after the other, until one fails. Returns the number of iterations. A substep is told whether it is
+    /// the last one.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn chain(
         &self,
         step: f64,
-        mut substep: impl FnMut(f64) -> Result<usize, StepError>,
+        mut substep: impl FnMut(f64, bool) -> Result<usize, StepError>,
     ) -> Result<usize, StepError> {
         let mut iterations = 0;
-        for gamma in self.substeps.fractions() {
-            iterations += substep(gamma * step)?;
+        let mut fractions = self.substeps.fractions().iter();
+        while let Some(gamma) = fractions.next() {
+            iterations += substep(gamma * step, fractions.as_slice().is_empty())?;
         }
         Ok(iterations)
     }
@@ -87,27 +89,40 @@ impl<S: Scheme> Scheme for Composition<S> {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        let mut sum = take(&self.base, workspace, z);
         let mut from = take(&self.base, workspace, z);
-        sum.set_zero();
+        from.assign(z);
+        // The first increment is the sum so far, with the signs of its zeros, so that one substep is a step of the base.
+        let mut sum: Option<F::Point> = None;
         let made = self.chain(
             step,
             #[inline(always)]
-            |step| {
-                from.assign(z);
-                from.add_in_place(&sum);
+            |step, is_last| {
                 let Step { point, iterations } =
                     self.base.increment(field, &from, step, workspace)?;
-                sum.add_in_place(&point);
-                give(&self.base, workspace, point);
+                let sum = match &mut sum {
+                    None => sum.insert(point),
+                    Some(sum) => {
+                        sum.add_in_place(&point);
+                        give(&self.base, workspace, point);
+                        sum
+                    }
+                };
+                if !is_last {
+                    from.assign(z);
+                    from.add_in_place(sum);
+                }
                 Ok(iterations)
             },
         );
         give(&self.base, workspace, from);
-        match made {
-            Ok(iterations) => Ok(Step { point: sum, iterations }),
-            Err(failed) => {
-                give(&self.base, workspace, sum);
+        match (made, sum) {
+            (Ok(iterations), sum) => {
+                Ok(Step { point: sum.unwrap_or_else(|| z.zeros_like()), iterations })
+            }
+            (Err(failed), sum) => {
+                if let Some(sum) = sum {
+                    give(&self.base, workspace, sum);
+                }
                 Err(failed)
             }
         }
@@ -123,34 +138,44 @@ impl<S: Scheme> Scheme for Composition<S> {
         step: f64,
         workspace: &mut Self::Workspace<F::Point>,
     ) -> Result<Increment<F::Point>, StepError> {
-        let [mut sum, mut rest, mut from, mut carried] =
-            [(); 4].map(|()| take(&self.base, workspace, z));
-        sum.set_zero();
-        rest.set_zero();
+        let [mut from, mut carried] = [(); 2].map(|()| take(&self.base, workspace, z));
         from.assign(z);
         carried.assign(e);
+        let mut sum: Option<Pair<F::Point, F::Point>> = None;
         let made = self.chain(
             step,
             #[inline(always)]
-            |step| {
+            |step, is_last| {
                 let Step { point: Pair(change, error), iterations } =
                     self.base.refined_increment(field, (&from, &carried), step, workspace)?;
                 let mut none = Default::default();
                 let pool = self.base.temporaries(workspace).unwrap_or(&mut none);
-                add_compensated((&mut sum, &mut rest), (&change, &error), pool);
-                add_compensated((&mut from, &mut carried), (&change, &error), pool);
-                change.give(pool);
-                error.give(pool);
+                if !is_last {
+                    add_compensated((&mut from, &mut carried), (&change, &error), pool);
+                }
+                match &mut sum {
+                    None => sum = Some(Pair(change, error)),
+                    Some(Pair(sum, rest)) => {
+                        add_compensated((sum, rest), (&change, &error), pool);
+                        change.give(pool);
+                        error.give(pool);
+                    }
+                }
                 Ok(iterations)
             },
         );
         give(&self.base, workspace, from);
         give(&self.base, workspace, carried);
-        match made {
-            Ok(iterations) => Ok(Step { point: Pair(sum, rest), iterations }),
-            Err(failed) => {
-                give(&self.base, workspace, sum);
-                give(&self.base, workspace, rest);
+        match (made, sum) {
+            (Ok(iterations), sum) => {
+                let none = || Pair(z.zeros_like(), z.zeros_like());
+                Ok(Step { point: sum.unwrap_or_else(none), iterations })
+            }
+            (Err(failed), sum) => {
+                if let Some(Pair(sum, rest)) = sum {
+                    give(&self.base, workspace, sum);
+                    give(&self.base, workspace, rest);
+                }
                 Err(failed)
             }
         }
@@ -211,7 +236,7 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
                 self.chain(
                     step,
                     #[inline(always)]
-                    |step| self.base.step_in_place(z, step, workspace),
+                    |step, _| self.base.step_in_place(z, step, workspace),
                 )
             },
         )
@@ -226,7 +251,7 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
     ) -> Result<usize, StepError> {
         let mut end = I::State::take(pool, state);
         end.assign(state);
-        let made = self.chain(step, |step| self.base.step_in_place(&mut end, step, workspace));
+        let made = self.chain(step, |step, _| self.base.step_in_place(&mut end, step, workspace));
         if made.is_ok() {
             state.move_from(&mut end);
         }

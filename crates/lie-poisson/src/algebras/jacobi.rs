@@ -3,37 +3,41 @@
 use crate::larger;
 
 /// The brackets of the basis vectors, in numbers whose products do not overflow.
-pub(crate) struct Brackets<const N: usize> {
+pub(crate) struct Brackets {
+    /// The dimension N. It is no parameter of the type, so that the checks are compiled once.
+    dimension: usize,
     /// The constants, with `c[i][j][k]` at (i N + j) N + k.
     constants: Vec<Extended>,
     /// The maximum norms of the brackets; the norm of [e_i, e_j] is at i N + j.
     norms: Vec<Extended>,
 }
 
-impl<const N: usize> Brackets<N> {
-    pub(crate) fn new(constants: &[f64]) -> Self {
+impl Brackets {
+    pub(crate) fn new(dimension: usize, constants: &[f64]) -> Self {
         let norm = |bracket: &[f64]| bracket.iter().fold(0.0, |most, x| larger(most, x.abs()));
         Self {
+            dimension,
             constants: constants.iter().map(|&x| Extended::new(x)).collect(),
-            norms: constants.chunks(N.max(1)).map(|c| Extended::new(norm(c))).collect(),
+            norms: constants.chunks(dimension.max(1)).map(|c| Extended::new(norm(c))).collect(),
         }
     }
 
     fn constant(&self, i: usize, j: usize, k: usize) -> Extended {
-        self.constants[(i * N + j) * N + k]
+        self.constants[(i * self.dimension + j) * self.dimension + k]
     }
 
     /// Returns the maximum norm of [e_i, e_j].
     pub(crate) fn norm(&self, i: usize, j: usize) -> Extended {
-        self.norms[i * N + j]
+        self.norms[i * self.dimension + j]
     }
 
     /// Returns the m-th coordinate of the cyclic sum of [e_i, [e_j, e_k]], relative to the size of its
     /// terms.
     pub(crate) fn jacobi_residual(&self, [i, j, k]: [usize; 3], m: usize) -> f64 {
         let cyclic = [(i, j, k), (j, k, i), (k, i, j)];
+        let n = self.dimension;
         let factors = || {
-            cyclic.into_iter().flat_map(|(a, b, d)| (0..N).map(move |l| (a, b, d, l))).map(
+            cyclic.into_iter().flat_map(|(a, b, d)| (0..n).map(move |l| (a, b, d, l))).map(
                 |(a, b, d, l)| {
                     let inner = [self.constant(b, d, l), self.norm(b, d)];
                     (inner, [self.constant(a, l, m), self.norm(a, l)])

@@ -96,21 +96,8 @@ impl<const N: usize> StructureConstants<N> {
     /// Constants may have rounding errors of a few ε relative to their bracket [e_i, e_j], for example after a
     /// numerical change of basis.
     pub fn new(c: impl Fn(usize, usize, usize) -> f64) -> Result<Self, StructureError> {
-        let constants: Arc<[f64]> = indices::<N>().map(|(i, j, k)| c(i, j, k)).collect();
-        let at = |i: usize, j: usize, k: usize| entry::<N>(&constants, i, j, k);
-        for (i, j, k) in indices::<N>() {
-            let value = at(i, j, k);
-            if !value.is_finite() {
-                return Err(StructureError::NotFinite { i, j, k, value });
-            }
-        }
-        for (i, j, k) in indices::<N>() {
-            let residual = at(i, j, k) + at(j, i, k);
-            if residual != 0.0 {
-                return Err(StructureError::NotAntisymmetric { i, j, k, residual });
-            }
-        }
-        check_jacobi::<N>(&constants)?;
+        let constants: Arc<[f64]> = indices(N).map(|(i, j, k)| c(i, j, k)).collect();
+        check(N, &constants)?;
         Ok(Self { constants })
     }
 
@@ -121,8 +108,9 @@ impl<const N: usize> StructureConstants<N> {
     }
 }
 
-fn indices<const N: usize>() -> impl Iterator<Item = (usize, usize, usize)> {
-    (0..N * N * N).map(|n| (n / (N * N), n / N % N, n % N))
+fn indices(dimension: usize) -> impl Iterator<Item = (usize, usize, usize)> {
+    let n = dimension;
+    (0..n * n * n).map(move |place| (place / (n * n), place / n % n, place % n))
 }
 
 /// Returns the constant `c[i][j][k]` for indices below N.
@@ -131,17 +119,36 @@ fn entry<const N: usize>(constants: &[f64], i: usize, j: usize, k: usize) -> f64
     constants[(i * N + j) * N + k]
 }
 
+/// Checks that constants are those of a Lie algebra. The dimension is no parameter of a type, so that the checks are
+/// compiled once.
+fn check(dimension: usize, constants: &[f64]) -> Result<(), StructureError> {
+    let at = |i: usize, j: usize, k: usize| constants[(i * dimension + j) * dimension + k];
+    for (i, j, k) in indices(dimension) {
+        let value = at(i, j, k);
+        if !value.is_finite() {
+            return Err(StructureError::NotFinite { i, j, k, value });
+        }
+    }
+    for (i, j, k) in indices(dimension) {
+        let residual = at(i, j, k) + at(j, i, k);
+        if residual != 0.0 {
+            return Err(StructureError::NotAntisymmetric { i, j, k, residual });
+        }
+    }
+    check_jacobi(dimension, constants)
+}
+
 /// Checks the Jacobi identity for all triples of basis vectors.
-fn check_jacobi<const N: usize>(constants: &[f64]) -> Result<(), StructureError> {
+fn check_jacobi(dimension: usize, constants: &[f64]) -> Result<(), StructureError> {
     // 3N products of two constants, each rounded three times, and their sum.
-    let allowed = 12.0 * N as f64 * f64::EPSILON;
-    let table = Brackets::<N>::new(constants);
+    let allowed = 12.0 * dimension as f64 * f64::EPSILON;
+    let table = Brackets::new(dimension, constants);
     // The cyclic sum of an antisymmetric bracket is alternating.
-    for (i, j, k) in indices::<N>().filter(|&(i, j, k)| i < j && j < k) {
+    for (i, j, k) in indices(dimension).filter(|&(i, j, k)| i < j && j < k) {
         if [(i, j), (j, k), (k, i)].iter().all(|&(a, b)| table.norm(a, b).is_zero()) {
             continue;
         }
-        let residuals = (0..N).map(|m| table.jacobi_residual([i, j, k], m));
+        let residuals = (0..dimension).map(|m| table.jacobi_residual([i, j, k], m));
         let residual = residuals.fold(0.0, larger);
         if residual.is_nan() || residual > allowed {
             return Err(StructureError::Jacobi { i, j, k, residual, allowed });
@@ -291,7 +298,7 @@ mod tests {
                 if i == j {
                     return 0.0;
                 }
-                let sum: f64 = indices::<6>()
+                let sum: f64 = indices(6)
                     .map(|(a, b, d)| {
                         basis[(a, first)] * basis[(b, second)] * original(a, b, d) * inverse[(k, d)]
                     })

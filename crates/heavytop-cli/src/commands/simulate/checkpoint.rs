@@ -2,7 +2,7 @@
 
 use super::growing_file::Mark;
 use crate::Error;
-use crate::configuration::{Config, LeftOut};
+use crate::configuration::{Config, LeftOut, inner};
 use crate::errors::CheckpointError;
 use crate::files::sealed::{damaged, of_this_version, open, read, seal};
 use crate::files::{Kind, Output};
@@ -41,6 +41,7 @@ pub struct Checkpoint {
     /// What the configuration left out where it was read.
     #[serde(default, skip_serializing_if = "LeftOut::is_empty")]
     left_out: LeftOut,
+    #[serde(deserialize_with = "inner")]
     configuration: Config,
 }
 
@@ -165,5 +166,6 @@ impl Checkpoint {
 
 /// Returns whether a text is a configuration; an empty one is none.
 fn is_configuration(text: &str) -> bool {
-    !text.trim().is_empty() && toml::from_str::<Config>(text).is_ok()
+    !text.trim().is_empty()
+        && toml::from_str(text).is_ok_and(|table| Config::of_table(table).is_ok())
 }
