@@ -10,7 +10,7 @@ use collective_integrators::diagnostics::RunAccuracy;
 use collective_integrators::{AnyIntegrator, AnyState, SampleOf};
 use heavytop::methods::{Method, attitude_of};
 use heavytop::{HeavyTop, PrincipalAxes};
-use lie_poisson::{Quaternion, Se3Dual, State, Vector};
+use lie_poisson::{Quaternion, Se3Dual, Vector};
 
 /// A top, its initial state, and the method and steps of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,7 +80,9 @@ impl Experiment {
         let place = (self.pace(), from);
         visit_samples(&integrator, &AnyState::of(start), place, names, |sample| {
             let SampleOf::<AnyIntegrator> { step, time, momentum, state, .. } = &sample;
-            let momentum = &Vector::from_coordinates(|i| momentum.entry(i));
+            let values = momentum.as_slice();
+            let momentum =
+                &Vector::from_coordinates(|i| values.get(i).copied().unwrap_or(f64::NAN));
             let attitude = self.attitude.then(|| attitude_of(state.as_slice()));
             visit(&Moment {
                 step: *step,

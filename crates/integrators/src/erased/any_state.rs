@@ -66,10 +66,16 @@ impl<T: Real> AnyState<T> {
     /// Sets the coordinates to the first ones of a vector.
     #[inline]
     pub(super) fn copy_entries<V: State<Scalar = T>>(&mut self, v: &V) {
-        let (values, dimension) = (self.as_mut_slice(), v.dimension());
-        let dimension = dimension.min(values.len());
-        for (i, value) in values[..dimension].iter_mut().enumerate() {
-            *value = v.entry(i);
+        let copy = |values: &mut [T]| {
+            for (i, value) in (0..v.dimension()).zip(values) {
+                *value = v.entry(i);
+            }
+        };
+        let values = self.as_mut_slice();
+        // The compiler knows the number of coordinates in the first case.
+        match values.get_mut(..v.dimension()) {
+            Some(all) => copy(all),
+            None => copy(values),
         }
     }
 

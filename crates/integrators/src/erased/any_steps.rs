@@ -108,7 +108,11 @@ impl<I, S> Erased<I, S> {
     {
         let mut typed = I::State::zeros_of(&self.shape);
         let values = state.as_slice();
-        typed.set_entries(|i| values.get(i).copied().unwrap_or_else(T::zero));
+        // The compiler knows the number of coordinates in the first case.
+        match values.get(..typed.dimension()) {
+            Some(all) => typed.set_entries(|i| all.get(i).copied().unwrap_or_else(T::zero)),
+            None => typed.set_entries(|i| values.get(i).copied().unwrap_or_else(T::zero)),
+        }
         typed
     }
 }

@@ -79,6 +79,17 @@ pub enum StructureError {
 pub struct StructureConstants<const N: usize> {
     /// The constants, with `c[i][j][k]` at (i N + j) N + k.
     constants: Arc<[f64]>,
+    /// Those that are not zero, in the same order. There are few of them in most algebras.
+    entries: Arc<[Entry]>,
+}
+
+/// The coordinate `value` of [e_i, e_j] at e_k.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Entry {
+    i: usize,
+    j: usize,
+    k: usize,
+    value: f64,
 }
 
 impl<const N: usize> StructureConstants<N> {
@@ -98,13 +109,14 @@ impl<const N: usize> StructureConstants<N> {
     pub fn new(c: impl Fn(usize, usize, usize) -> f64) -> Result<Self, StructureError> {
         let constants: Arc<[f64]> = indices(N).map(|(i, j, k)| c(i, j, k)).collect();
         check(N, &constants)?;
-        Ok(Self { constants })
+        let entries = entries(N, &constants);
+        Ok(Self { constants, entries })
     }
 
     /// Returns the constant `c[i][j][k]`, or zero for indices beyond the dimension.
     #[must_use]
     pub fn constant(&self, i: usize, j: usize, k: usize) -> f64 {
-        if i.max(j).max(k) < N { entry::<N>(&self.constants, i, j, k) } else { 0.0 }
+        if i.max(j).max(k) < N { self.constants[(i * N + j) * N + k] } else { 0.0 }
     }
 }
 
@@ -113,10 +125,10 @@ fn indices(dimension: usize) -> impl Iterator<Item = (usize, usize, usize)> {
     (0..n * n * n).map(move |place| (place / (n * n), place / n % n, place % n))
 }
 
-/// Returns the constant `c[i][j][k]` for indices below N.
-#[inline]
-fn entry<const N: usize>(constants: &[f64], i: usize, j: usize, k: usize) -> f64 {
-    constants[(i * N + j) * N + k]
+/// Returns the constants that are not zero.
+fn entries(dimension: usize, constants: &[f64]) -> Arc<[Entry]> {
+    let all = indices(dimension).zip(constants).map(|((i, j, k), &value)| Entry { i, j, k, value });
+    all.filter(|entry| entry.value != 0.0).collect()
 }
 
 /// Checks that constants are those of a Lie algebra. The dimension is no parameter of a type, so that the checks are
@@ -162,13 +174,8 @@ impl<const N: usize> LieAlgebra for StructureConstants<N> {
 
     fn bracket<T: Real>(&self, xi: &SVector<T, N>, eta: &SVector<T, N>) -> SVector<T, N> {
         let mut bracket = SVector::zeros();
-        for i in 0..N {
-            for j in 0..N {
-                let weight = xi[i] * eta[j];
-                for k in 0..N {
-                    bracket[k] += weight * entry::<N>(&self.constants, i, j, k);
-                }
-            }
+        for &Entry { i, j, k, value } in &*self.entries {
+            bracket[k] += xi[i] * eta[j] * value;
         }
         bracket
     }
@@ -180,13 +187,8 @@ impl<const N: usize> LieAlgebra for StructureConstants<N> {
         mu: &Covector<SVector<T, N>>,
     ) -> Covector<SVector<T, N>> {
         let mut rate = SVector::zeros();
-        for i in 0..N {
-            for k in 0..N {
-                let weight = xi[i] * mu.0[k];
-                for j in 0..N {
-                    rate[j] += weight * entry::<N>(&self.constants, i, j, k);
-                }
-            }
+        for &Entry { i, j, k, value } in &*self.entries {
+            rate[j] += xi[i] * mu.0[k] * value;
         }
         Covector(rate)
     }
