@@ -1,6 +1,8 @@
 //! Long runs by Clebsch maps: each is right to the order of its method, or ends with an error.
 
-use collective_integrators::{AnyState, Collective, Direct, HamiltonianField, RungeKutta, Start};
+use collective_integrators::{
+    AnyState, Collective, Direct, HamiltonianField, Integrator, RungeKutta, StageSolver, Start,
+};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::{
     Automatic, Covector, Energy, LiePoisson, Real, Representation, StructureConstants, Vector,
