@@ -129,8 +129,7 @@ fn blocks_are_those_of_the_type() {
     type Two = Pair<Vector1<f64>, Vector2<f64>>;
     let v = AnyState::of(&Two::from_coordinates(|i| i as f64));
     assert_eq!((v.blocks(), v.shape()), (2, v.zeros_like().shape()));
-    assert_eq!(AnyState::beginning_of(&Two::from_coordinates(|_| 1.0), 1).blocks(), 1);
-    // What comes after the third block counts as the fourth, and more than 16 coordinates are on the heap.
+    // What comes after the third block counts as the fourth, and more than 12 coordinates are on the heap.
     type Five = Pair<Pair<Two, Two>, Vector1<f64>>;
     let v = AnyState::of(&Five::from_coordinates(|i| i as f64));
     assert_eq!((0..7).map(|i| v.block_of(i)).collect::<Vec<_>>(), [0, 1, 1, 2, 3, 3, 3]);
