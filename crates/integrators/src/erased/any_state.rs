@@ -39,9 +39,11 @@ impl BlockEnds {
     pub(super) fn of<V: State>(v: &V, dimension: usize) -> Self {
         let dimension = dimension.min(v.dimension());
         let mut ends = [dimension; MOST_BLOCKS];
+        // The last end stays the dimension.
+        let [before_last @ .., _] = &mut ends;
         for i in (0..dimension).rev() {
-            if let Some(end) = v.block_of(i).checked_sub(1).and_then(|before| ends.get_mut(before))
-            {
+            let before = v.block_of(i).checked_sub(1);
+            if let Some(end) = before.and_then(|before| before_last.get_mut(before)) {
                 *end = i;
             }
         }

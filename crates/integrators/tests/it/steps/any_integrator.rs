@@ -133,6 +133,8 @@ fn blocks_are_those_of_the_type() {
     type Five = Pair<Pair<Two, Two>, Vector1<f64>>;
     let v = AnyState::of(&Five::from_coordinates(|i| i as f64));
     assert_eq!((0..7).map(|i| v.block_of(i)).collect::<Vec<_>>(), [0, 1, 1, 2, 3, 3, 3]);
+    assert_eq!(v.as_slice(), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+    assert_eq!(v.zeros_like().as_slice(), [0.0; 7]);
     let mut long = AnyState::from_slice(&[1.0; 40]);
     long.add_multiple(2.0, &AnyState::from_slice(&[0.5; 40]));
     assert!(long.as_slice() == [2.0; 40] && long.blocks() == 1 && long.entry(40) == 0.0);
