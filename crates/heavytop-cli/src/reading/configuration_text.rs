@@ -9,6 +9,7 @@ use crate::Error;
 use crate::configuration::Config;
 use crate::errors::Quotation;
 use crate::vocabulary::brief;
+use serde::Deserializer;
 use toml::Table;
 use toml::de::DeTable;
 
@@ -31,10 +32,9 @@ impl ConfigurationText {
     pub fn table(&self) -> Result<Table, Error> {
         let unread = |error| self.misread(&error, KeyPath::default());
         let text = readable(&self.text);
-        let table: Table = toml::from_str(&text).map_err(unread)?;
         // The text is first read by itself, since only its own text has lines to quote.
-        self.read(table.clone())?;
-        Ok(table)
+        self.read(toml::Deserializer::parse(&text).map_err(unread)?)?;
+        toml::from_str(&text).map_err(unread)
     }
 
     /// Returns the keys of the text, which has been read before.
@@ -46,8 +46,11 @@ impl ConfigurationText {
     ///
     /// # Errors
     /// If there are unknown keys or wrong types.
-    pub fn read(&self, table: Table) -> Result<Config, Error> {
-        Config::of_table(table).map_err(|error| {
+    pub fn read<'de>(
+        &self,
+        from: impl Deserializer<'de, Error = toml::de::Error>,
+    ) -> Result<Config, Error> {
+        serde_path_to_error::deserialize(from).map_err(|error| {
             let path = KeyPath::from(error.path());
             self.misread(&error.into_inner(), path)
         })
