@@ -1,4 +1,4 @@
-//! The integrator of a system: one type for each algebra, formulation and scheme.
+//! The integrator of a system: one type for each algebra and formulation.
 
 use super::clebsch_maps::{ClebschMap, clebsch_map};
 use super::invariant_guard::InvariantGuard;

@@ -1,8 +1,8 @@
 //! Integrators behind a pointer make the steps of their types, to the last bit.
 
 use collective_integrators::{
-    AnyIntegrator, AnyState, AnyTangents, ByPointer, CHECKPOINT, Collective, Direct,
-    HamiltonianField, Integrator, LiftFree, RungeKutta, Start, VariationalFlow,
+    AnyIntegrator, AnyState, AnyTangents, ByPointer, CHECKPOINT, Collective, Composition, Direct,
+    HamiltonianField, Integrator, LiftFree, RungeKutta, Start, Substeps, VariationalFlow,
 };
 use lie_poisson::{
     Automatic, Covector, Energy, LiePoisson, Momentum, Pair, Real, So3, State, Vector,
@@ -141,4 +141,16 @@ fn blocks_are_those_of_the_type() {
     long.set_entry(40, 1.0);
     assert_eq!(AnyState::from_slice(&[0.0; 0]).blocks(), 1);
     assert!(long.all_finite() && !AnyState::from_slice(&[f64::NAN]).all_finite());
+}
+
+/// Methods by name are compositions, of one substep where nothing is composed: a step of the base to the last bit.
+#[test]
+fn one_substep_is_a_step_of_the_base() {
+    let once = Composition::new(gauss(), Substeps::new(&[1.0]).unwrap());
+    let base = Collective::new(gauss(), HOPF, Automatic(Body));
+    let once = Collective::new(once, HOPF, Automatic(Body));
+    let [mut a, mut b] = [base.start(&start()).unwrap(); 2];
+    base.advance(&mut a, STEP, 0..20, &mut base.workspace()).unwrap();
+    once.advance(&mut b, STEP, 0..20, &mut once.workspace()).unwrap();
+    assert_eq!(a, b);
 }
