@@ -1,10 +1,10 @@
-//! The format Apache Parquet: columns in row groups, compressed by Zstandard.
+//! The format Apache Parquet: columns in row groups, compressed by gzip.
 
 use super::metadata::Metadata;
 use super::rows::Rows;
 use super::run_table::RunTable;
 use crate::vocabulary::brief::number;
-use parquet::basic::{Compression, Encoding, Repetition, Type as PhysicalType, ZstdLevel};
+use parquet::basic::{Compression, Encoding, GzipLevel, Repetition, Type as PhysicalType};
 use parquet::data_type::{DataType, DoubleType};
 use parquet::errors::{ParquetError, Result};
 use parquet::file::metadata::KeyValue;
@@ -58,7 +58,7 @@ pub(crate) fn io_error(error: ParquetError) -> io::Error {
 }
 
 /// The level of compression: higher ones are several times as slow, and make files of numbers a few percent smaller.
-const LEVEL: i32 = 1;
+const LEVEL: u32 = 3;
 
 /// Begins a file with these fields and key–value metadata.
 ///
@@ -89,7 +89,7 @@ pub(crate) fn begin<W: Write + Send>(
     let mut properties = WriterProperties::builder()
         .set_created_by(format!("{program} version {version}"))
         .set_key_value_metadata(Some(pairs.collect()))
-        .set_compression(Compression::ZSTD(ZstdLevel::try_new(LEVEL)?))
+        .set_compression(Compression::GZIP(GzipLevel::try_new(LEVEL)?))
         .set_statistics_enabled(EnabledStatistics::Chunk);
     for name in split {
         let column = ColumnPath::new(vec![name]);

@@ -36,7 +36,7 @@ Formats, by the file's ending:
   .csv      text; also on standard output, for --out -
   .npz      for NumPy, the arrays t, Pi, Gamma, h, f1, f2, ... with a row for each time, q for the
             attitude, and the string metadata, in JSON: version and configuration
-  .parquet  the columns of the CSV, compressed (Zstandard); version and configuration are in its
+  .parquet  the columns of the CSV, compressed (gzip); version and configuration are in its
             key-value metadata
 Memory does not grow with the run. While it goes on the rows are in FILE.partial for .csv, and in
 FILE.rows for the others, 8 bytes for each number, until the file is made of them at the end.

@@ -167,12 +167,13 @@ fn parquet_goes_by_groups_of_rows() {
 
 #[test]
 fn parquet_is_compressed_and_knows_the_ranges_of_its_columns() {
-    let (folder, header, rows) = written(CONFIGURATION);
+    // A header of gzip for each column would weigh in a short table.
+    let (folder, header, rows) = written(&CONFIGURATION.replace("end = 4", "end = 40"));
     let file = File::open(folder.path("a.parquet")).unwrap();
     let reader = SerializedFileReader::new(file).unwrap();
     let group = reader.metadata().row_group(0);
     for (i, (column, name)) in group.columns().iter().zip(&header).enumerate() {
-        assert!(matches!(column.compression(), Compression::ZSTD(_)), "{name}");
+        assert!(matches!(column.compression(), Compression::GZIP(_)), "{name}");
         assert!(column.encodings().any(|e| e == Encoding::BYTE_STREAM_SPLIT), "{name}");
         let Some(Statistics::Double(range)) = column.statistics() else { panic!("{name}") };
         let values = rows.iter().map(|row| row[i]);
