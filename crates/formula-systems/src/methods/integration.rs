@@ -7,10 +7,10 @@ use crate::algebras::system_algebra::Family;
 use crate::{FormulaSystem, FormulaSystemError};
 use collective_integrators::{
     AnyIntegrator, AnyTangents, ByPointer, Collective, Composition, Direct, HamiltonianField,
-    LiftFree, RungeKutta, Scheme, StageSolver, Start, TangentIntegrator,
+    LiftFree, RungeKutta, Scheme, Start, TangentIntegrator,
 };
 use heavytop::SpinorRealisation;
-use heavytop::methods::{ComposedScheme, Formulation, MethodError, SchemeName};
+use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::{LieAlgebra, LiePoisson, Momentum, Se3, So3, StructureConstants, Vector};
 use lie_poisson_formulas::{Formula, FormulaHamiltonian, structure_constants};
 use momentum_map::{DualQuaternions, HOPF, PoissonMap, Quaternions};
@@ -33,24 +33,8 @@ type AnyScheme = Composition<RungeKutta>;
 impl Integration<'_> {
     /// Makes the integrator.
     pub(super) fn make(&self) -> Made {
-        let scheme = self.scheme;
-        let solver = StageSolver { tolerance: self.tolerance, ..StageSolver::default() };
-        let midpoint = || RungeKutta::implicit_midpoint().with_solver(solver);
-        let failed = |reason| MethodError::Scheme { scheme, reason };
-        let once = |base| (base, ComposedScheme::Strang);
-        let (base, raise) = match scheme {
-            SchemeName::ImplicitMidpoint => once(midpoint()),
-            SchemeName::Gauss(stages) => {
-                let gauss = RungeKutta::gauss(stages.into()).map_err(failed)?;
-                once(gauss.with_solver(solver))
-            }
-            SchemeName::ExplicitMidpoint => once(RungeKutta::explicit_midpoint()),
-            SchemeName::Rk4 => once(RungeKutta::rk4()),
-            SchemeName::Composed(raise) => (midpoint(), raise),
-            SchemeName::Partitioned(_) => return Err(self.impossible()),
-        };
-        let substeps = raise.substeps().map_err(failed)?;
-        self.with(Composition::new(base, substeps))
+        let scheme = self.scheme.runge_kutta(self.tolerance)?;
+        self.with(scheme.ok_or_else(|| self.impossible())?)
     }
 
     fn with(&self, scheme: AnyScheme) -> Made {

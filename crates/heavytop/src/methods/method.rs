@@ -190,26 +190,19 @@ impl Method {
     }
 
     fn make<W: Wanted>(&self, top: &HeavyTop) -> Result<W::Made, MethodError> {
-        let once = |base| (base, ComposedScheme::Strang);
-        let (base, raise) = match self.scheme {
-            SchemeName::ImplicitMidpoint => once(self.midpoint()),
-            SchemeName::Gauss(stages) => {
-                let gauss = RungeKutta::gauss(stages.into()).map_err(|e| self.failed(e))?;
-                once(gauss.with_solver(self.solver()))
+        match self.scheme {
+            SchemeName::Partitioned(pair) => self.partitioned::<W>(pair, top),
+            SchemeName::Composed(composed) if self.formulation == Formulation::Splitting => {
+                self.splitting::<W>(composed, top)
             }
-            SchemeName::ExplicitMidpoint => once(RungeKutta::explicit_midpoint()),
-            SchemeName::Rk4 => once(RungeKutta::rk4()),
-            SchemeName::Partitioned(pair) => return self.partitioned::<W>(pair, top),
-            SchemeName::Composed(raise) if self.formulation == Formulation::Splitting => {
-                return self.splitting::<W>(raise, top);
-            }
-            SchemeName::Composed(raise) => (self.midpoint(), raise),
-        };
-        let substeps = raise.substeps().map_err(|e| self.failed(e))?;
-        self.equivariant::<W>(Composition::new(base, substeps), top)
+            scheme => match scheme.runge_kutta(self.tolerance)? {
+                Some(scheme) => self.equivariant::<W>(scheme, top),
+                None => Err(self.impossible()),
+            },
+        }
     }
 
-    /// Makes the integrator of a scheme: one type for all, since a step is a composition of one substep.
+    /// Makes the integrator of a Runge–Kutta method.
     fn equivariant<W: Wanted>(
         &self,
         scheme: Composition<RungeKutta>,
@@ -243,17 +236,18 @@ impl Method {
                 PartitionedRungeKutta::lobatto_iiia_iiib(3).map_err(|e| self.failed(e))?
             }
         };
-        let scheme = scheme.with_solver(self.solver());
+        let solver = StageSolver { tolerance: self.tolerance, ..StageSolver::default() };
+        let scheme = scheme.with_solver(solver);
         let integrator = Collective::that_does_not_descend(scheme, SpinorRealisation, *top);
         Ok(W::of_turning(integrator))
     }
 
     fn splitting<W: Wanted>(
         &self,
-        raise: ComposedScheme,
+        composed: ComposedScheme,
         top: &HeavyTop,
     ) -> Result<W::Made, MethodError> {
-        let substeps = raise.substeps().map_err(|e| self.failed(e))?;
+        let substeps = composed.substeps().map_err(|e| self.failed(e))?;
         // This splitting is refused unless I₁ = I₂; the rotors suit every top.
         Ok(match SymmetricTopSplitting::new(*top) {
             Ok(flows) => W::of_turning(Composition::new(Splitting::strang(flows), substeps)),
@@ -262,14 +256,6 @@ impl Method {
                 W::of_turning(Composition::new(Splitting::strang(flows), substeps))
             }
         })
-    }
-
-    fn midpoint(&self) -> RungeKutta {
-        RungeKutta::implicit_midpoint().with_solver(self.solver())
-    }
-
-    fn solver(&self) -> StageSolver {
-        StageSolver { tolerance: self.tolerance, ..StageSolver::default() }
     }
 
     fn impossible(&self) -> MethodError {

@@ -6,7 +6,7 @@
 //! | when you need | use |
 //! |---|---|
 //! | where a scheme is applied | [`Formulation`] |
-//! | a one-step method | [`SchemeName`] |
+//! | a one-step method | [`SchemeName`], [`SchemeName::runge_kutta`] |
 //! | both | [`Method`] |
 //! | the integrator for a top | [`Method::integrator`] |
 //! | one with the attitude, or with tangent maps | [`Method::integrator_with_attitude`], [`Method::tangent_integrator`] |
@@ -41,6 +41,7 @@ mod unknown_name;
 mod scheme_name;
 mod formulation;
 mod method_error;
+mod runge_kutta;
 mod wanted;
 mod method;
 mod accuracy;
