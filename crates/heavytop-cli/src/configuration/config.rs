@@ -9,7 +9,7 @@ use super::top::{About, BodyConfig, InitialConfig, LeftOut};
 use crate::Error;
 use crate::errors::{CheckpointError, SystemTableError};
 use crate::runs::step_angle::require_sane_step;
-use crate::runs::{Experiment, Schedule, SystemExperiment};
+use crate::runs::{Experiment, Pace, Run, Schedule, SystemExperiment};
 use heavytop::methods::Formulation;
 use heavytop::{HeavyTop, PrincipalAxes};
 use lie_poisson::{InstructionSet, Se3Dual};
@@ -65,10 +65,21 @@ impl Default for OutputConfig {
 }
 
 impl Config {
-    /// Returns the experiment that the configuration asks for.
+    /// Returns the run that the configuration asks for, of a top or of a system.
     ///
     /// # Errors
-    /// If there is no such experiment.
+    /// If there is no such run.
+    pub fn run(&self) -> Result<Box<dyn Run>, Error> {
+        Ok(match self.system_experiment()? {
+            Some(system) => Box::new(system),
+            None => Box::new(self.experiment()?),
+        })
+    }
+
+    /// Returns the run of the top that the configuration asks for.
+    ///
+    /// # Errors
+    /// If there is no such run.
     pub fn experiment(&self) -> Result<Experiment, Error> {
         let (top, axes, start) = (self.top()?, self.axes()?, self.start()?);
         let integration = self.integrator.or(Integration::default());
@@ -82,8 +93,8 @@ impl Config {
             return Err(Error::NoAttitude { formulation });
         }
         require_sane_step(&top, &start, step)?;
-        let schedule = Schedule::new(step, end)?;
-        Ok(Experiment { top, axes, start, method, schedule, every, attitude })
+        let pace = Pace { schedule: Schedule::new(step, end)?, every };
+        Ok(Experiment { top, axes, start, method, pace, attitude })
     }
 
     /// Returns the instruction set on which the last digits of a run depend here: [`Method::instructions`].

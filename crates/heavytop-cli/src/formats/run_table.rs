@@ -1,9 +1,8 @@
 //! The table of a run: its columns and rows.
 
 use crate::errors::SystemTableError;
-use crate::runs::{Experiment, Moment, SystemExperiment};
-use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
-use lie_poisson::{Covector, Pair, Quaternion, Se3Dual};
+use crate::runs::Run;
+use lie_poisson::{Covector, Pair, Se3Dual};
 use std::array;
 use std::collections::HashSet;
 use std::ops::Range;
@@ -24,14 +23,6 @@ pub const ATTITUDE_COLUMNS: &str = "qw,qx,qy,qz";
 #[must_use]
 pub fn state_values(time: f64, Covector(Pair(pi, gamma)): &Se3Dual) -> [f64; 7] {
     [time, pi.x, pi.y, pi.z, gamma.x, gamma.y, gamma.z]
-}
-
-/// Returns the turn about the vertical that takes the attitude of the columns, where that of the principal axes is the
-/// shortest one, to the shortest one.
-fn turn_about_the_vertical(axes: &PrincipalAxes, start: &Se3Dual) -> Quaternion {
-    let given = axes.state_from_principal(start);
-    let shortest = axes.attitude_from_principal(&attitude_of_vertical(&start.0.1));
-    attitude_of_vertical(&given.0.1) * shortest.conjugate()
 }
 
 /// Checks that no two columns of an output have one name.
@@ -78,77 +69,39 @@ pub struct RunTable {
     columns: Vec<String>,
     /// The groups of columns that form one array.
     arrays: Vec<(String, Range<usize>)>,
-    /// The columns of the invariants.
+    /// The columns of the conserved quantities.
     invariants: Range<usize>,
-    /// What the invariants of a top are computed from.
-    top: Option<(HeavyTop, Vec<Invariant>)>,
-    /// The principal axes of a top in the axes of the columns, where these are others, and the turn about the vertical
-    /// after which the attitude of the columns starts with the shortest rotation.
-    axes: Option<(PrincipalAxes, Quaternion)>,
 }
 
 impl RunTable {
-    /// Creates the table of a top: t, Π, Γ, the invariants h, f₁, f₂, and C, K, G or f₃, and the attitude if it is asked
-    /// for, all in the axes in which the top was given.
-    #[must_use]
-    pub fn new(experiment: &Experiment) -> Self {
-        let Experiment { top, axes, start, .. } = experiment;
-        let mut invariants = top.invariants_from(start);
-        // f₃ is a component of Π in principal axes, which is a column already if these are the axes of the columns.
-        if axes.is_aligned() && top.axial_component().is_some() {
-            invariants.retain(|invariant| *invariant != Invariant::AxialMomentum);
-        }
-        let mut table = Self::of(STATE_COLUMNS, &[("t", 1), ("Pi", 3), ("Gamma", 3)]);
-        for invariant in &invariants {
-            table.push(invariant.symbol());
-        }
-        table.invariants = 7..table.columns.len();
-        if experiment.attitude {
-            let first = table.columns.len();
-            table.columns.extend(ATTITUDE_COLUMNS.split(',').map(String::from));
-            table.arrays.push(("q".into(), first..table.columns.len()));
-        }
-        let axes = (!axes.is_aligned()).then(|| (*axes, turn_about_the_vertical(axes, start)));
-        Self { top: Some((*top, invariants)), axes, ..table }
-    }
-
-    /// Creates the table of a system: t, the coordinates, h, and the Casimirs c1, c2 and so on.
+    /// Creates the table of a run: t, the coordinates, the conserved quantities, and the attitude if it is followed.
     ///
     /// # Errors
     /// If a coordinate, or a vector of them, has the name of another column.
-    pub fn of_system(experiment: &SystemExperiment) -> Result<Self, SystemTableError> {
-        let coordinates = experiment.system.algebra().coordinates();
-        let names: Vec<String> = coordinates.names().collect();
-        let groups = coordinates.groups().map(|(name, places)| (name, places.len()));
-        let groups: Vec<_> = [("t", 1)].into_iter().chain(groups).collect();
-        let mut table = Self::of(&format!("t,{}", names.join(",")), &groups);
+    pub fn new(run: &dyn Run) -> Result<Self, SystemTableError> {
+        let mut table = Self { columns: Vec::new(), arrays: Vec::new(), invariants: 0..0 };
+        table.push("t", ["t".into()]);
+        for (name, columns) in run.coordinates() {
+            table.push(&name, columns);
+        }
         let first = table.columns.len();
-        table.push("h");
-        for i in 1..=experiment.system.casimirs().len() {
-            table.push(&format!("c{i}"));
+        for name in run.conserved() {
+            table.push(&name.clone(), [name]);
         }
         table.invariants = first..table.columns.len();
+        if run.has_attitude() {
+            table.push("q", ATTITUDE_COLUMNS.split(',').map(String::from));
+        }
         require_distinct(table.columns.iter().map(String::as_str))?;
         require_distinct(table.arrays.iter().map(|(name, _)| name.as_str()))?;
         Ok(table)
     }
 
-    /// Creates a table of columns in groups, each with its width.
-    fn of(columns: &str, groups: &[(&str, usize)]) -> Self {
-        let mut start = 0;
-        let arrays = groups.iter().map(|(name, width)| {
-            start += width;
-            ((*name).to_owned(), start - width..start)
-        });
-        let (columns, arrays) = (columns.split(',').map(String::from).collect(), arrays.collect());
-        Self { columns, arrays, invariants: 0..0, top: None, axes: None }
-    }
-
-    /// Adds a column that is an array.
-    fn push(&mut self, name: &str) {
-        let place = self.columns.len();
-        self.columns.push(name.to_owned());
-        self.arrays.push((name.to_owned(), place..place + 1));
+    /// Adds columns that form one array.
+    fn push(&mut self, name: &str, columns: impl IntoIterator<Item = String>) {
+        let first = self.columns.len();
+        self.columns.extend(columns);
+        self.arrays.push((name.to_owned(), first..self.columns.len()));
     }
 
     /// Returns the names of the invariants in the table.
@@ -166,9 +119,10 @@ impl RunTable {
     /// Returns the beginning by which a table in CSV is recognised: the columns that all tops have, or all of the system.
     #[must_use]
     pub fn beginning(&self) -> String {
-        match self.top {
-            Some(_) => TOP_COLUMNS.into(),
-            None => self.header() + "\n",
+        let header = self.header();
+        match header.starts_with(TOP_COLUMNS) {
+            true => TOP_COLUMNS.into(),
+            false => header + "\n",
         }
     }
 
@@ -188,24 +142,6 @@ impl RunTable {
     #[must_use]
     pub fn invariant_values<'a>(&self, row: &'a [f64]) -> &'a [f64] {
         row.get(self.invariants.clone()).unwrap_or_default()
-    }
-
-    /// Returns the values of the invariants of a top in a state in principal axes.
-    pub fn values_at<'a>(&'a self, mu: &'a Se3Dual) -> impl Iterator<Item = f64> + 'a {
-        let top = self.top.iter();
-        top.flat_map(move |(top, invariants)| invariants.iter().map(move |f| f.value(top, mu)))
-    }
-
-    /// Replaces `row` by the row of a moment of a top.
-    pub fn fill(&self, row: &mut Vec<f64>, moment: &Moment<'_>) {
-        row.clear();
-        let given = self.axes.map(|(axes, _)| axes.state_from_principal(moment.momentum));
-        row.extend(state_values(moment.time, given.as_ref().unwrap_or(moment.momentum)));
-        row.extend(self.values_at(moment.momentum));
-        if let Some(q) = moment.attitude {
-            let q = self.axes.map_or(*q, |(axes, turn)| turn * axes.attitude_from_principal(q));
-            row.extend([q.scalar, q.vector.x, q.vector.y, q.vector.z]);
-        }
     }
 }
 

@@ -13,9 +13,7 @@ use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
 use crate::commands::reproduce::reproduce;
 use crate::commands::section::{self, section};
-use crate::commands::simulate::{
-    self, Checkpoint, RunSummary, SimulateOptions, SystemSummary, simulate, simulate_system,
-};
+use crate::commands::simulate::{self, Checkpoint, RunSummary, SimulateOptions, simulate};
 use crate::commands::sweep::{self, sweep_if};
 use crate::configuration::Notes;
 use crate::errors::Report;
@@ -88,18 +86,10 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
             let resume = resume.as_ref().map(Option::as_deref);
             let begin =
                 Begin { resume, restart, replacing, interval: checkpoint_interval, check, yes };
-            let check = match run_simulate(&top, &out, &begin, quiet)? {
-                Simulated::Top(summary, notes) => {
-                    closing.end(&summary, &notes, &out)?;
-                    summary.check
-                }
-                Simulated::System(summary) => {
-                    closing.end(&summary, &Notes::default(), &out)?;
-                    summary.check
-                }
-            };
+            let (summary, notes) = run_simulate(&top, &out, &begin, quiet)?;
+            closing.end(&summary, &notes, &out)?;
             // The run is complete; there is nothing to resume.
-            match check.is_some_and(|check| check.was_interrupted()) {
+            match summary.check.is_some_and(|check| check.was_interrupted()) {
                 true => Err(Error::Interrupted { resume: None }),
                 false => Ok(()),
             }
@@ -237,12 +227,6 @@ struct Begin<'a> {
     yes: bool,
 }
 
-/// The motion that `simulate` has followed.
-enum Simulated {
-    Top(RunSummary, Notes),
-    System(SystemSummary),
-}
-
 /// Reads the checkpoint at a path, or else that of the output, unless there is none.
 ///
 /// # Errors
@@ -256,7 +240,12 @@ fn checkpoint(top: &Top, out: &Path, path: Option<&Path>) -> Result<Option<Check
     }
 }
 
-fn run_simulate(top: &Top, out: &Path, begin: &Begin<'_>, quiet: bool) -> Result<Simulated, Error> {
+fn run_simulate(
+    top: &Top,
+    out: &Path,
+    begin: &Begin<'_>,
+    quiet: bool,
+) -> Result<(RunSummary, Notes), Error> {
     let Begin { resume, restart, replacing, interval, check, yes } = *begin;
     let resume = resume.map(|path| checkpoint(top, out, path)).transpose()?.flatten();
     let range = "not negative, and at most 1e9";
@@ -276,14 +265,11 @@ fn run_simulate(top: &Top, out: &Path, begin: &Begin<'_>, quiet: bool) -> Result
         let stop = Some(interrupted());
         let resume = resume.as_ref();
         let options = SimulateOptions { resume, restart, interval, stop, check, quiet, safeguard };
-        if let Some(system) = config.system_experiment()? {
-            return simulate_system(&config, &system, out, &options).map(Simulated::System);
-        }
         if let Some(warning) = config.body_warning() {
             warn(warning);
         }
         let summary = simulate(&config, out, &options)?;
-        Ok(Simulated::Top(summary, config.notes()))
+        Ok((summary, config.notes()))
     })
 }
 

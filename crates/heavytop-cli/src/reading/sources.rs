@@ -39,7 +39,7 @@ impl Sources {
     /// use heavytop_cli::configuration::Preset;
     /// use heavytop_cli::reading::Sources;
     /// let sources = Sources::read(Some(Preset::Lagrange), None, &["integrator.end=50".into()])?;
-    /// assert_eq!(sources.config().experiment()?.schedule.steps, 2500);
+    /// assert_eq!(sources.config().experiment()?.pace.schedule.steps, 2500);
     /// # Ok::<(), heavytop_cli::Error>(())
     /// ```
     pub fn read(

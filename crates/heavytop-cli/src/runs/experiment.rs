@@ -1,16 +1,16 @@
-//! An experiment: a run, sample by sample.
+//! The run of a top: [`Experiment`].
 
-use super::moment::{Moment, Saved};
+use super::method_warning::method_warning;
 use super::pace::Pace;
-use super::run_check::RunCheck;
+use super::run::{Described, Fill, Run, visit_samples};
 use super::schedule::Schedule;
-use super::visited_samples::visit_samples;
 use crate::Error;
-use collective_integrators::diagnostics::RunAccuracy;
-use collective_integrators::{AnyIntegrator, AnyState, SampleOf};
-use heavytop::methods::{Method, attitude_of};
-use heavytop::{HeavyTop, PrincipalAxes};
-use lie_poisson::{Quaternion, Se3Dual, Vector};
+use collective_integrators::diagnostics::{RunAccuracy, StepCheck};
+use collective_integrators::{AnyIntegrator, AnyState, RunError};
+use heavytop::methods::{Formulation, Method, SchemeName, attitude_of};
+use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
+use lie_poisson::{Covector, Pair, Quaternion, Se3Dual, Vector};
+use serde_json::{Map, Value};
 
 /// A top, its initial state, and the method and steps of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,132 +23,139 @@ pub struct Experiment {
     pub start: Se3Dual,
     /// The integrator of the run.
     pub method: Method,
-    /// The steps of the run.
-    pub schedule: Schedule,
-    /// The number n such that every n-th step is written, and the last one.
-    pub every: u64,
+    /// The steps of the run, and which of them are written.
+    pub pace: Pace,
     /// Whether the attitude is followed.
     pub attitude: bool,
 }
 
 impl Experiment {
-    /// Passes the samples of [`Experiment::follow`] to `visit`: the number of the step, the time (s), (Π, Γ) and the
-    /// attitude, if it is followed, of the principal axes. The initial state comes first.
+    /// Passes moments of the run to `visit`, those of [`follow`](trait@Run#method.follow): the number of the step, the
+    /// time (s), (Π, Γ) and the attitude, if it is followed, of the principal axes. The initial state comes first.
     ///
     /// # Errors
-    /// The errors of [`Experiment::follow`].
+    /// If the initial state has no lift, a step fails, `visit` fails, or the formulation does not determine the attitude
+    /// that is asked for.
     pub fn run<V>(&self, mut visit: V) -> Result<(), Error>
     where
         V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), Error>,
     {
-        self.follow(None, |m| visit(m.step, m.time, m.momentum, m.attitude))
-    }
-
-    /// Passes moments of the run to `visit`, from the initial one or from the first after a saved one: those that are
-    /// [written](Self::keeps), those of a step whose number is a multiple of
-    /// [`CHECKPOINT`](collective_integrators::CHECKPOINT), and the last one. The steps between them cost nothing else.
-    ///
-    /// A run that continues from such a multiple equals the uninterrupted run to the last bit.
-    ///
-    /// # Errors
-    /// If the initial state has no lift, a step fails, `visit` fails, the formulation does not determine the attitude
-    /// that is asked for, or the saved state does not fit this experiment.
-    ///
-    /// # Example
-    /// ```
-    /// use heavytop_cli::configuration::Config;
-    /// let experiment = Config::default().experiment()?;
-    /// let (mut saved, mut last) = (None, None);
-    /// experiment.follow(None, |moment| {
-    ///     if moment.step == 1024 {
-    ///         saved = Some(moment.saved());
-    ///     }
-    ///     last = Some(*moment.momentum);
-    ///     Ok(())
-    /// })?;
-    /// let mut again = None;
-    /// experiment.follow(saved.as_ref(), |moment| Ok(again = Some(*moment.momentum)))?;
-    /// assert_eq!(last, again);
-    /// # Ok::<(), heavytop_cli::Error>(())
-    /// ```
-    pub fn follow<V>(&self, from: Option<&Saved>, mut visit: V) -> Result<(), Error>
-    where
-        V: FnMut(&Moment<'_>) -> Result<(), Error>,
-    {
-        let Self { start, method, .. } = self;
-        let (integrator, names) = (self.integrator()?, (method.formulation(), method.scheme()));
-        let place = (self.pace(), from);
-        visit_samples(&integrator, &AnyState::of(start), place, names, |sample| {
-            let SampleOf::<AnyIntegrator> { step, time, momentum, state, .. } = &sample;
-            let values = momentum.as_slice();
-            let momentum =
-                &Vector::from_coordinates(|i| values.get(i).copied().unwrap_or(f64::NAN));
-            let attitude = self.attitude.then(|| attitude_of(state.as_slice()));
-            visit(&Moment {
-                step: *step,
-                time: *time,
-                momentum,
-                attitude: attitude.as_ref(),
-                state,
-            })
+        visit_samples(self, None, &mut |sample| {
+            let attitude = self.attitude.then(|| attitude_of(sample.state.as_slice()));
+            let momentum = momentum_of(sample.momentum.as_slice());
+            visit(sample.step, sample.time, &momentum, attitude.as_ref())
         })
     }
 
-    /// Returns the number of coordinates of the state that the integrator advances.
-    ///
-    /// # Errors
-    /// If there is no such integrator, or the formulation does not determine the attitude that is asked for.
-    pub fn dimension(&self) -> Result<usize, Error> {
-        Ok(self.integrator()?.state_dimension())
+    /// Returns the invariants that are columns of their own.
+    fn invariants(&self) -> Vec<Invariant> {
+        let mut invariants = self.top.invariants_from(&self.start);
+        // f₃ is a component of Π in principal axes, which is a column already if these are the axes of the columns.
+        if self.axes.is_aligned() && self.top.axial_component().is_some() {
+            invariants.retain(|invariant| *invariant != Invariant::AxialMomentum);
+        }
+        invariants
+    }
+}
+
+impl Run for Experiment {
+    fn coordinates(&self) -> Vec<(String, Vec<String>)> {
+        let vector = |name: &str| (name.into(), (1..=3).map(|i| format!("{name}{i}")).collect());
+        vec![vector("Pi"), vector("Gamma")]
     }
 
-    /// Measures how accurate the run is, by a repetition of its beginning with half the step. There is no estimate if
-    /// `going` tells it to end.
-    ///
-    /// # Errors
-    /// If there is no such integrator.
-    pub fn accuracy(&self, going: &dyn Fn() -> bool) -> Result<RunAccuracy, Error> {
-        let Schedule { step, steps } = self.schedule;
-        Ok(self.method.accuracy(&self.top, &self.start, (step, steps), going)?)
+    fn conserved(&self) -> Vec<String> {
+        self.invariants().into_iter().map(|invariant| invariant.symbol().into()).collect()
     }
 
-    /// Checks the whole run by runs with half the step and with twice the step, unless `going` tells the check to end.
-    ///
-    /// # Errors
-    /// If a step fails.
-    pub fn check(&self, going: &dyn Fn() -> bool) -> Result<RunCheck, Error> {
-        let (Schedule { step, steps }, method) = (self.schedule, self.method);
-        let checked = method.check(&self.top, &self.start, (step, steps), going)?;
-        RunCheck::of(checked, (method.formulation(), method.scheme()))
+    fn initial(&self) -> Result<Vec<f64>, Error> {
+        Ok(self.invariants().into_iter().map(|f| f.value(&self.top, &self.start)).collect())
     }
 
-    /// Returns the steps, and which of them are written.
-    #[must_use]
-    pub fn pace(&self) -> Pace {
-        Pace { schedule: self.schedule, every: self.every }
+    fn has_attitude(&self) -> bool {
+        self.attitude
     }
 
-    /// Returns the number of samples that are written, the initial and the last one included.
-    #[must_use]
-    pub fn rows(&self) -> u64 {
-        self.pace().rows()
+    fn method(&self) -> (Formulation, SchemeName) {
+        (self.method.formulation(), self.method.scheme())
     }
 
-    /// Returns the integrator, with the attitude if it is followed.
-    fn integrator(&self) -> Result<AnyIntegrator, Error> {
+    fn pace(&self) -> Pace {
+        self.pace
+    }
+
+    fn begin(&self) -> Result<(AnyIntegrator, AnyState), Error> {
         let formulation = self.method.formulation();
-        match self.attitude {
+        let integrator = match self.attitude {
             true => self
                 .method
                 .integrator_with_attitude(&self.top)?
-                .ok_or(Error::NoAttitude { formulation }),
-            false => Ok(self.method.integrator(&self.top)?),
-        }
+                .ok_or(Error::NoAttitude { formulation })?,
+            false => self.method.integrator(&self.top)?,
+        };
+        Ok((integrator, AnyState::of(&self.start)))
     }
 
-    /// Returns whether the sample after this step is written.
-    #[must_use]
-    pub fn keeps(&self, step: u64) -> bool {
-        self.pace().keeps(step)
+    /// The axes of the rows are those in which the top was given.
+    fn rows(&self) -> Box<Fill<'_>> {
+        let (axes, invariants) = (&self.axes, self.invariants());
+        let turned = !axes.is_aligned();
+        let turn = turn_about_the_vertical(axes, &self.start);
+        Box::new(move |row, sample| {
+            let momentum = momentum_of(sample.momentum.as_slice());
+            let Covector(Pair(pi, gamma)) =
+                if turned { axes.state_from_principal(&momentum) } else { momentum };
+            row.clear();
+            row.extend([sample.time, pi.x, pi.y, pi.z, gamma.x, gamma.y, gamma.z]);
+            row.extend(invariants.iter().map(|f| f.value(&self.top, &momentum)));
+            if self.attitude {
+                let q = attitude_of(sample.state.as_slice());
+                let q = if turned { turn * axes.attitude_from_principal(&q) } else { q };
+                row.extend([q.scalar, q.vector.x, q.vector.y, q.vector.z]);
+            }
+            Ok(())
+        })
     }
+
+    fn accuracy(&self, going: &dyn Fn() -> bool) -> Result<RunAccuracy, Error> {
+        let Schedule { step, steps } = self.pace.schedule;
+        Ok(self.method.accuracy(&self.top, &self.start, (step, steps), going)?)
+    }
+
+    fn compared(
+        &self,
+        going: &dyn Fn() -> bool,
+    ) -> Result<Result<Option<StepCheck>, RunError>, Error> {
+        let Schedule { step, steps } = self.pace.schedule;
+        Ok(self.method.check(&self.top, &self.start, (step, steps), going)?)
+    }
+
+    fn warning(&self) -> Result<Option<String>, Error> {
+        Ok(method_warning(&self.method))
+    }
+
+    fn described(&self) -> Result<Described, Error> {
+        Ok(Described::default())
+    }
+
+    fn last(&self, row: &[f64]) -> Map<String, Value> {
+        let vector = |from: usize| row.get(from..from + 3).unwrap_or_default().into();
+        [("angular_momentum", vector(1)), ("vertical", vector(4))]
+            .map(|(name, values)| (name.to_owned(), values))
+            .into_iter()
+            .collect()
+    }
+}
+
+/// Returns (Π, Γ) of its coordinates.
+fn momentum_of(coordinates: &[f64]) -> Se3Dual {
+    Vector::from_coordinates(|i| coordinates.get(i).copied().unwrap_or(f64::NAN))
+}
+
+/// Returns the turn about the vertical that takes the attitude of the columns, where that of the principal axes is the
+/// shortest one, to the shortest one.
+fn turn_about_the_vertical(axes: &PrincipalAxes, start: &Se3Dual) -> Quaternion {
+    let given = axes.state_from_principal(start);
+    let shortest = axes.attitude_from_principal(&attitude_of_vertical(&start.0.1));
+    attitude_of_vertical(&given.0.1) * shortest.conjugate()
 }

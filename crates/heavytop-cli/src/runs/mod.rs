@@ -3,16 +3,17 @@
 pub(crate) mod schedule;
 mod pace;
 pub(crate) mod step_angle;
-pub(crate) mod method_warning;
 pub(crate) mod run_check;
+pub(crate) mod method_warning;
 mod moment;
-mod visited_samples;
+mod run;
 mod experiment;
-mod systems;
+mod system_experiment;
 
 pub use experiment::Experiment;
 pub use moment::{Moment, Saved};
 pub use pace::Pace;
+pub use run::{Described, Run};
 pub use run_check::{RunCheck, WithoutOrder};
 pub use schedule::Schedule;
-pub use systems::{SystemExperiment, SystemMoment};
+pub use system_experiment::SystemExperiment;

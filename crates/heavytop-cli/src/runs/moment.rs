@@ -1,19 +1,15 @@
 //! A moment of a run, and the state from which the run continues.
 
 use collective_integrators::AnyState;
-use lie_poisson::{Quaternion, Se3Dual};
 
-/// A moment of a run: the step, the time and the state, in the principal axes of the top.
+/// A moment of a run: the number of the step, and the row with the time, the coordinates, the conserved quantities and
+/// the attitude, if it is followed.
 #[derive(Clone, Copy)]
 pub struct Moment<'a> {
     /// The number of steps made.
     pub step: u64,
-    /// The time of the moment, s.
-    pub time: f64,
-    /// The momentum (Π, Γ) of the moment.
-    pub momentum: &'a Se3Dual,
-    /// The attitude, if it is followed.
-    pub attitude: Option<&'a Quaternion>,
+    /// The numbers of the row.
+    pub row: &'a [f64],
     /// The state that the integrator advances.
     pub(super) state: &'a AnyState,
 }

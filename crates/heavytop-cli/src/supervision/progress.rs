@@ -1,6 +1,6 @@
 //! The progress bar of a command.
 
-use crate::runs::Experiment;
+use crate::runs::Run;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::fmt::Write;
 use std::io::IsTerminal;
@@ -25,10 +25,10 @@ pub struct Progress {
 impl Progress {
     /// Creates the bar of a run; `quiet` hides it for good.
     #[must_use]
-    pub fn new(experiment: &Experiment, quiet: bool) -> Self {
-        let method = &experiment.method;
-        let progress = Self::of(experiment.schedule.steps, "steps", quiet);
-        progress.say(&format!("{}, {}", method.formulation().name(), method.scheme().name()));
+    pub fn new(run: &dyn Run, quiet: bool) -> Self {
+        let (formulation, scheme) = run.method();
+        let progress = Self::of(run.pace().schedule.steps, "steps", quiet);
+        progress.say(&format!("{}, {}", formulation.name(), scheme.name()));
         progress
     }
 

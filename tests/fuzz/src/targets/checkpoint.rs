@@ -4,6 +4,7 @@ use super::configuration::first_steps;
 use crate::case_file::case_file;
 use heavytop_cli::Error;
 use heavytop_cli::commands::simulate::Checkpoint;
+use heavytop_cli::runs::Run;
 
 /// The version that the cases of the corpus name.
 const VERSION: &str = "version = \"0.1.0\"";
@@ -45,13 +46,14 @@ pub fn goes_on(case: &[u8]) -> bool {
     let saved = checkpoint.saved();
     let Ok(None) = config.system_experiment() else { return false };
     let Ok(mut experiment) = config.experiment() else { return false };
-    experiment.every = 1;
-    experiment.schedule.steps = experiment.schedule.steps.min(saved.step.saturating_add(2));
+    experiment.pace.every = 1;
+    let steps = &mut experiment.pace.schedule.steps;
+    *steps = (*steps).min(saved.step.saturating_add(2));
     let finite = saved.state.iter().all(|x| x.is_finite());
     let mut moments = 0;
-    let followed = experiment.follow(Some(&saved), |moment| {
-        let sizes = [moment.momentum.0.0.amax(), moment.momentum.0.1.amax()];
-        assert!(!finite || sizes.iter().all(|size| size.is_finite()), "{sizes:?}");
+    let followed = (&experiment as &dyn Run).follow(Some(&saved), |moment| {
+        let state = &moment.row[1..7];
+        assert!(!finite || state.iter().all(|x| x.is_finite()), "{state:?}");
         moments += 1;
         Ok(())
     });

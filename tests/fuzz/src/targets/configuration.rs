@@ -4,6 +4,7 @@ use crate::case_file::case_file;
 use heavytop_cli::Error;
 use heavytop_cli::configuration::Config;
 use heavytop_cli::reading::Sources;
+use heavytop_cli::runs::Run;
 
 /// The number of samples that are computed of a run.
 const SAMPLES: usize = 3;
@@ -54,21 +55,19 @@ pub(super) fn first_steps(config: &Config) -> Result<(), Error> {
         seen += 1;
         if seen == SAMPLES { Err(enough()) } else { Ok(()) }
     };
-    let outcome = match config.system_experiment()? {
+    let run: Box<dyn Run> = match config.system_experiment()? {
         Some(mut system) => {
             system.pace.every = 1;
-            let dimension = system.start.len();
-            system.follow(None, |moment| see(&moment.row[..=dimension]))
+            Box::new(system)
         }
         None => {
             let mut experiment = config.experiment()?;
-            experiment.every = 1;
-            experiment.run(|_, time, mu, _| {
-                let (pi, gamma) = (mu.0.0, mu.0.1);
-                see(&[time, pi.x, pi.y, pi.z, gamma.x, gamma.y, gamma.z])
-            })
+            experiment.pace.every = 1;
+            Box::new(experiment)
         }
     };
+    let width = 1 + run.coordinates().iter().map(|(_, columns)| columns.len()).sum::<usize>();
+    let outcome = run.follow(None, |moment| see(&moment.row[..width]));
     match outcome {
         Err(Error::NoCommand { names, .. }) if names.is_empty() => Ok(()),
         outcome => outcome,

@@ -6,9 +6,9 @@ use crate::Error;
 use crate::configuration::Config;
 use crate::files::{Kind, Output, Place, contains};
 use crate::pictures::caption;
-use crate::runs::Experiment;
 use crate::runs::method_warning::method_warning;
 use crate::runs::run_check::accuracy_warning;
+use crate::runs::{Experiment, Run};
 use crate::supervision::warnings::warn;
 use crate::supervision::{Progress, Watch};
 use std::path::Path;
@@ -49,7 +49,7 @@ const KIND: Kind<'_> = Kind {
 pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<PageSummary, Error> {
     config.output.attitude = true;
     let mut experiment = config.experiment()?;
-    experiment.every = frame_every(&experiment);
+    experiment.pace.every = frame_every(&experiment);
     require_html(out)?;
     watch.safeguard.require(out, &KIND)?;
     let mut output = Output::create(out)?;
@@ -94,7 +94,7 @@ fn record(
         watch.require_going()?;
         progress.at(step);
         match attitude {
-            Some(attitude) if experiment.keeps(step) => animation.push(time, mu, attitude),
+            Some(attitude) if experiment.pace.keeps(step) => animation.push(time, mu, attitude),
             _ => {}
         }
         Ok(())
@@ -103,15 +103,15 @@ fn record(
 
 /// Returns the least multiple of `every` that gives at most [`MOST_FRAMES`] frames, the first and the last included.
 fn frame_every(experiment: &Experiment) -> u64 {
-    let gaps = experiment.schedule.steps.div_ceil(experiment.every);
-    experiment.every.saturating_mul(gaps.div_ceil(MOST_FRAMES - 1))
+    let gaps = experiment.pace.schedule.steps.div_ceil(experiment.pace.every);
+    experiment.pace.every.saturating_mul(gaps.div_ceil(MOST_FRAMES - 1))
 }
 
 /// Describes in words how the motion was computed.
 fn description(experiment: &Experiment) -> String {
-    let (method, step) = (experiment.method, experiment.schedule.step);
+    let (method, step) = (experiment.method, experiment.pace.schedule.step);
     let method = caption::method(method.formulation(), method.scheme(), step);
-    let frames = match experiment.every {
+    let frames = match experiment.pace.every {
         1 => "a frame for each step".into(),
         every => format!("a frame for every {every} steps"),
     };

@@ -2,8 +2,8 @@
 
 use super::animation::Animation;
 use crate::files::place::shown;
-use crate::runs::Experiment;
 use crate::runs::run_check::{write_accuracy, write_method};
+use crate::runs::{Experiment, Pace};
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -37,7 +37,7 @@ pub struct PageSummary {
 impl PageSummary {
     /// Creates the summary of a page, as yet without the accuracy of its motion.
     pub(super) fn new(experiment: &Experiment, animation: &Animation, out: &Path) -> Self {
-        let Experiment { method, schedule, every, .. } = experiment;
+        let Experiment { method, pace: Pace { schedule, every }, .. } = experiment;
         Self {
             out: out.into(),
             formulation: method.formulation().name(),

@@ -30,7 +30,7 @@ const LARGEST: f64 = 1.0;
 /// It leaves out a run that another step of the same method beats in both error and time. It rings the runs with the
 /// configured step.
 pub(super) fn chart(measurements: &[Measurement], experiment: &Experiment, end: f64) -> String {
-    let step = experiment.schedule.step;
+    let step = experiment.pace.schedule.step;
     let solutions = measurements.iter().filter(|m| m.outcome.relative <= LARGEST);
     let solutions: Vec<Measurement> = solutions.copied().collect();
     let curves = solutions.chunk_by(|one, other| one.method == other.method);

@@ -71,10 +71,10 @@ pub fn compare(
     let mut experiment = config.experiment()?;
     let steps = match end {
         Some(end) => {
-            experiment.schedule = schedule_to(&experiment, end)?;
-            experiment.schedule.steps
+            experiment.pace.schedule = schedule_to(&experiment, end)?;
+            experiment.pace.schedule.steps
         }
-        None => experiment.schedule.steps.min(INTERVAL),
+        None => experiment.pace.schedule.steps.min(INTERVAL),
     };
     let methods = methods(config.integrator.or(Integration::default()))?;
     require_folder(out)?;
@@ -127,7 +127,7 @@ pub fn compare(
 /// Returns the configured steps to the end of the interval (s).
 fn schedule_to(experiment: &Experiment, end: f64) -> Result<Schedule, Error> {
     let refused = |source| Error::Argument { name: "end", source: Box::new(source) };
-    Schedule::new(experiment.schedule.step, end).map_err(refused)
+    Schedule::new(experiment.pace.schedule.step, end).map_err(refused)
 }
 
 /// Returns every formulation with every scheme that makes sense in it, without duplicates: `strang` of the midpoint

@@ -84,7 +84,7 @@ impl Reference {
     /// # Errors
     /// If the result with the whole step differs, or the command shall end.
     pub fn new(experiment: &Experiment, steps: u64, watch: &Watch<'_>) -> Result<Self, Error> {
-        let step = experiment.schedule.step;
+        let step = experiment.pace.schedule.step;
         let mut sizes = BlockScales::of(&experiment.start);
         let gauss = Method::new(Formulation::Reduced, SchemeName::Gauss(8), 0.0)?;
         let mut end = |halvings: u64| {
@@ -92,9 +92,9 @@ impl Reference {
             experiment.method = gauss;
             experiment.attitude = false;
             // The sizes are those of all states.
-            experiment.every = 1;
-            experiment.schedule.step = step / halvings as f64;
-            experiment.schedule.steps = steps * halvings;
+            experiment.pace.every = 1;
+            experiment.pace.schedule.step = step / halvings as f64;
+            experiment.pace.schedule.steps = steps * halvings;
             let mut end = experiment.start;
             experiment.run(|_, _, mu, _| {
                 end = *mu;

@@ -41,7 +41,7 @@ impl Deviations {
     pub(super) fn of(record: &Record) -> Self {
         let run = &record.experiment;
         let (formulation, scheme) = (run.method.formulation().name(), run.method.scheme().name());
-        let (step, end) = (run.schedule.step, run.schedule.end());
+        let (step, end) = (run.pace.schedule.step, run.pace.schedule.end());
         let [h, f1, f2, k] = record.deviations;
         Self { formulation, scheme, step, end, h, f1, f2, k }
     }

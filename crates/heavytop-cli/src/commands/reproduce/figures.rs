@@ -94,7 +94,7 @@ pub(super) fn all(records: &[Record]) -> Vec<Figure<'_>> {
 /// Returns what all curves share.
 fn words(record: &Record) -> Vec<String> {
     let run = &record.experiment;
-    let [step, end] = [run.schedule.step, run.schedule.end()].map(caption::number);
+    let [step, end] = [run.pace.schedule.step, run.pace.schedule.end()].map(caption::number);
     let steps = format!("step {step} s, 0 to {end} s");
     vec![caption::top(&run.top), caption::start(&run.start), steps]
 }

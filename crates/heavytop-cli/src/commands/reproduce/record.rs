@@ -36,7 +36,7 @@ impl Record {
             deviations: [0.0; 4],
             curves: Default::default(),
             initial: [0.0; 4],
-            stretch: experiment.schedule.steps.div_ceil(MOST_PAIRS),
+            stretch: experiment.pace.schedule.steps.div_ceil(MOST_PAIRS),
         }
     }
 

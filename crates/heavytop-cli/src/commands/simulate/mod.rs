@@ -8,11 +8,9 @@ mod run_summary;
 mod run_forecast;
 mod renewal;
 mod simulate_command;
-mod systems;
 
 pub use checkpoint::Checkpoint;
 pub use run_forecast::{dry_run, forecast};
 pub use run_summary::RunSummary;
 pub use simulate_command::simulate;
 pub use simulate_options::SimulateOptions;
-pub use systems::{SystemSummary, simulate_system};

@@ -15,16 +15,11 @@ use std::time::Instant;
 /// # Errors
 /// If there is no such run, or the output has no format.
 pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
-    let (width, pace) = match config.system_experiment()? {
-        Some(system) => (RunTable::of_system(&system)?.width() as u64, system.pace),
-        None => {
-            let experiment = config.experiment()?;
-            (RunTable::new(&experiment).width() as u64, experiment.pace())
-        }
-    };
+    let run = config.run()?;
+    let width = RunTable::new(&*run)?.width() as u64;
     let format = Format::of(out)?;
     let row = if format == Format::Csv { BYTES_OF_TEXT * width } else { 8 * width };
-    with_rows(pace, format, out, row as f64)
+    with_rows(run.pace(), format, out, row as f64)
 }
 
 /// Returns the forecast of a run after trying it for a fifth of a second, or a little longer if steps are slow. Nothing
@@ -33,26 +28,12 @@ pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
 /// # Errors
 /// If there is no such run, the output has no format, or one of the first steps fails.
 pub fn dry_run(config: &Config, out: &Path) -> Result<Forecast, Error> {
-    let format = Format::of(out)?;
+    let (format, run) = (Format::of(out)?, config.run()?);
+    RunTable::new(&*run)?;
     let mut trial = Trial::begin(format);
-    let pace = match config.system_experiment()? {
-        Some(system) => {
-            RunTable::of_system(&system)?;
-            let outcome = system.follow(None, |moment| trial.add(moment.step, moment.row));
-            trial.end(outcome)?;
-            system.pace
-        }
-        None => {
-            let experiment = config.experiment()?;
-            let (table, mut row) = (RunTable::new(&experiment), Vec::new());
-            let outcome = experiment.follow(None, |moment| {
-                table.fill(&mut row, moment);
-                trial.add(moment.step, &row)
-            });
-            trial.end(outcome)?;
-            experiment.pace()
-        }
-    };
+    let outcome = run.follow(None, |moment| trial.add(moment.step, moment.row));
+    trial.end(outcome)?;
+    let pace = run.pace();
     let forecast = with_rows(pace, format, out, trial.bytes as f64 / trial.rows as f64)?;
     let steps = pace.schedule.steps as f64;
     Ok(Forecast { seconds: Some(trial.seconds / trial.steps as f64 * steps), ..forecast })

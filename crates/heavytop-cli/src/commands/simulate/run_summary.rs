@@ -1,11 +1,12 @@
 //! The summary of a run, which `heavytop simulate --json` prints.
 
 use super::checkpoint::Checkpoint;
+use crate::Error;
 use crate::files::place::shown;
 use crate::formats::RunTable;
 use crate::runs::run_check::{write_accuracy, write_method};
-use crate::runs::{Experiment, RunCheck};
-use lie_poisson::{Se3Dual, larger};
+use crate::runs::{Described, Run, RunCheck};
+use lie_poisson::larger;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::fmt;
@@ -16,6 +17,9 @@ use std::path::PathBuf;
 pub struct RunSummary {
     /// The path of the output.
     pub out: PathBuf,
+    /// What is told of a system by formula.
+    #[serde(flatten)]
+    pub described: Described,
     /// The formulation's name.
     pub formulation: &'static str,
     /// The scheme's name.
@@ -28,15 +32,15 @@ pub struct RunSummary {
     pub rows: u64,
     /// The time after the last step, s.
     pub end: f64,
-    /// Π after the last step, kg m²/s.
-    pub angular_momentum: [f64; 3],
-    /// Γ after the last step.
-    pub vertical: [f64; 3],
+    /// The coordinates after the last step: the vectors `angular_momentum` (Π, kg m²/s) and `vertical` (Γ) of a top, and
+    /// those of a system by their names in `last`.
+    #[serde(flatten)]
+    pub last: Map<String, Value>,
     /// The largest deviations max |invariant − initial value| over the rows of the output, by the names of the
     /// columns.
     pub deviations: Map<String, Value>,
-    /// The estimated error of the run, to two digits: the largest |Δμ_b|/|μ_b| over Π and Γ. 1 means that nothing of the
-    /// state is right.
+    /// The estimated error of the run, to two digits: the largest |Δμ_b|/|μ_b| over the vectors and scalars b of
+    /// coordinates, such as Π and Γ. 1 means that nothing of the state is right.
     pub error_estimate: Option<f64>,
     /// The result of a check of the whole run, if it was asked for.
     #[serde(flatten)]
@@ -44,36 +48,43 @@ pub struct RunSummary {
 }
 
 impl RunSummary {
-    /// Creates the summary of a run that ended in (Π, Γ), in principal axes, as yet without its accuracy.
+    /// Creates the summary of a run that ended in a row, as yet without its accuracy.
     pub(super) fn new(
         out: PathBuf,
-        experiment: &Experiment,
-        last: &Se3Dual,
+        run: &dyn Run,
+        row: &[f64],
         deviations: &Deviations,
         table: &RunTable,
-    ) -> Self {
-        let Experiment { method, schedule, axes, .. } = experiment;
-        let last = axes.state_from_principal(last);
-        Self {
+    ) -> Result<Self, Error> {
+        let ((formulation, scheme), pace) = (run.method(), run.pace());
+        Ok(Self {
             out,
-            formulation: method.formulation().name(),
-            scheme: method.scheme().name(),
-            step: schedule.step,
-            steps: schedule.steps,
-            rows: experiment.rows(),
-            end: schedule.end(),
-            angular_momentum: last.0.0.into(),
-            vertical: last.0.1.into(),
+            described: run.described()?,
+            formulation: formulation.name(),
+            scheme: scheme.name(),
+            step: pace.schedule.step,
+            steps: pace.schedule.steps,
+            rows: pace.rows(),
+            end: pace.schedule.end(),
+            last: run.last(row),
             deviations: deviations.by_name(table),
             error_estimate: None,
             check: None,
-        }
+        })
     }
 }
 
 impl fmt::Display for RunSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(to, "{} rows in {}; largest deviations", self.rows, shown(&self.out))?;
+        write!(to, "{} rows in {}", self.rows, shown(&self.out))?;
+        let Described { casimirs, descends, .. } = &self.described;
+        for (name, text) in casimirs.iter().flatten() {
+            write!(to, "; {name} = {}", text.as_str().unwrap_or_default())?;
+        }
+        if *descends == Some(false) {
+            write!(to, "; the steps are not Poisson maps")?;
+        }
+        write!(to, "; largest deviations")?;
         write_deviations(to, &self.deviations)?;
         write_accuracy(to, self.error_estimate, self.check.as_ref())?;
         write_method(to, (self.formulation, self.scheme), (self.step, self.end))
@@ -81,10 +92,7 @@ impl fmt::Display for RunSummary {
 }
 
 /// Writes the names of the invariants with their deviations.
-pub(super) fn write_deviations(
-    to: &mut fmt::Formatter<'_>,
-    deviations: &Map<String, Value>,
-) -> fmt::Result {
+fn write_deviations(to: &mut fmt::Formatter<'_>, deviations: &Map<String, Value>) -> fmt::Result {
     for (number, (symbol, deviation)) in deviations.iter().enumerate() {
         let comma = if number == 0 { "" } else { "," };
         write!(to, "{comma} {symbol} {:.1e}", deviation.as_f64().unwrap_or(f64::NAN))?;

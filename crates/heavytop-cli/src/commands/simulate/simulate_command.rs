@@ -8,7 +8,6 @@ use super::simulate_options::SimulateOptions;
 use crate::Error;
 use crate::configuration::Config;
 use crate::formats::RunTable;
-use crate::runs::method_warning::method_warning;
 use crate::runs::run_check::accuracy_warning;
 use crate::supervision::Progress;
 use crate::supervision::warnings::warn;
@@ -37,6 +36,19 @@ use std::path::Path;
 /// assert_eq!((summary.steps, summary.end), (5000, 100.0));
 /// assert!(summary.deviations["f1"].as_f64() < Some(1e-12));
 /// assert!(out.exists());
+///
+/// let config: Config = toml::from_str(r#"
+///     [system]
+///     coordinates = ["K", "H", "P"]
+///     brackets = { "K, H" = "P", "K, P" = "H" }
+///     hamiltonian = "0.5*K^2 + H^2 + 0.5*P^2"
+///     initial = { K = 0.1, H = 0.3, P = 0.2 }
+///     [integrator]
+///     end = 20.0
+/// "#)?;
+/// let summary = simulate(&config, &folder.path().join("poincare.csv"), &SimulateOptions::default())?;
+/// assert!(summary.to_string().contains("c1 = H^2 - P^2"));
+/// assert!(summary.deviations["c1"].as_f64() < Some(1e-12));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn simulate(
@@ -44,36 +56,34 @@ pub fn simulate(
     out: &Path,
     options: &SimulateOptions<'_>,
 ) -> Result<RunSummary, Error> {
-    let experiment = config.experiment()?;
-    let (table, pace) = (RunTable::new(&experiment), experiment.pace());
-    let config = config.with_integrator();
-    let dimension = experiment.dimension()?;
-    let recorded = RecordedRun { pace, dimension, table: &table, casimirs: Vec::new() };
+    let run = config.run()?;
+    let (run, config) = (&*run, config.with_integrator());
+    let (table, pace) = (RunTable::new(run)?, run.pace());
+    let formulas = run.described()?.casimirs.into_iter().flatten();
+    let casimirs = formulas.filter_map(|(_, text)| text.as_str().map(String::from)).collect();
+    let recorded = RecordedRun { pace, dimension: run.dimension()?, table: &table, casimirs };
     let mut recording = Recording::begin(out, &config, &recorded, options)?;
-    let accuracy = options.estimated(|going| experiment.accuracy(going))?;
+    let accuracy = options.estimated(|going| run.accuracy(going))?;
     recording.add_estimate(accuracy.error);
-    let warnings = [method_warning(&experiment.method), accuracy_warning(&accuracy)];
-    warnings.into_iter().flatten().for_each(warn);
-    let initial = table.values_at(&experiment.start).collect();
-    let mut deviations = Deviations::new(initial, options.resume);
-    let progress = Progress::new(&experiment, options.quiet);
+    [run.warning()?, accuracy_warning(&accuracy)].into_iter().flatten().for_each(warn);
+    let mut deviations = Deviations::new(run.initial()?, options.resume);
+    let progress = Progress::new(run, options.quiet);
     let saved = options.resume.map(Checkpoint::saved);
     progress.begin(saved.as_ref().map_or(0, |saved| saved.step));
-    let mut renewal = Renewal::new(options, pace.schedule.steps);
-    let (mut row, mut last) = (Vec::with_capacity(table.width()), experiment.start);
-    let outcome = experiment.follow(saved.as_ref(), |moment| {
+    let (mut renewal, mut last) = (Renewal::new(options, pace.schedule.steps), Vec::new());
+    let outcome = run.follow(saved.as_ref(), |moment| {
         progress.at(moment.step);
-        last = *moment.momentum;
+        last.clear();
+        last.extend_from_slice(moment.row);
         if pace.keeps(moment.step) {
-            table.fill(&mut row, moment);
-            deviations.add(table.invariant_values(&row));
-            recording.append(&row)?;
+            deviations.add(table.invariant_values(moment.row));
+            recording.append(moment.row)?;
         }
         renewal.pause(moment.step, || moment.saved(), &mut recording, &deviations)
     });
     drop(progress);
-    let summary = RunSummary::new(out.into(), &experiment, &last, &deviations, &table);
     recording.conclude(outcome)?;
-    let check = options.check.then(|| experiment.check(&|| options.going())).transpose()?;
+    let check = options.check.then(|| run.check(&|| options.going())).transpose()?;
+    let summary = RunSummary::new(out.into(), run, &last, &deviations, &table)?;
     Ok(RunSummary { error_estimate: accuracy.error, check, ..summary })
 }

@@ -238,16 +238,14 @@ fn steps_that_are_not_poisson_are_warned_of() {
 
 #[test]
 fn an_interrupted_run_of_a_system_continues_byte_for_byte() {
-    use heavytop_cli::commands::simulate::{Checkpoint, SimulateOptions, simulate_system};
+    use heavytop_cli::commands::simulate::{Checkpoint, SimulateOptions, simulate};
     use heavytop_cli::configuration::Config;
     use std::sync::atomic::AtomicBool;
     let folder = Folder::new();
     let mut config: Config = toml::from_str(TOP).unwrap();
     config.integrator.end = Some(40.0);
-    let experiment = config.system_experiment().unwrap().unwrap();
-    let run = |name: &str, options: &SimulateOptions<'_>| {
-        simulate_system(&config, &experiment, &folder.path(name), options)
-    };
+    let run =
+        |name: &str, options: &SimulateOptions<'_>| simulate(&config, &folder.path(name), options);
     let whole = run("whole.csv", &SimulateOptions::default()).unwrap();
     let stop = AtomicBool::new(true);
     let stopped = run("parts.csv", &SimulateOptions { stop: Some(&stop), ..Default::default() });
