@@ -1,0 +1,4 @@
+//! Drawings as SVG without text, and as PNG.
+
+pub(crate) mod pixels;
+pub(crate) mod picture;

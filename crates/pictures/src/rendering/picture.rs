@@ -1,0 +1,62 @@
+//! A drawing with its text as outlines.
+
+use super::pixels::{draw, has_images, invalid};
+use crate::error::PictureError;
+use crate::lettering::outlines::outlined;
+use resvg::tiny_skia::{Pixmap, Transform};
+use usvg::{Options, Tree, WriteOptions};
+
+/// A drawing with its text as outlines.
+///
+/// # Examples
+/// ```
+/// use svg_pictures::Picture;
+///
+/// let picture = Picture::new(
+///     r#"<svg xmlns="http://www.w3.org/2000/svg" width="90" height="30">
+///          <text x="5" y="20" font-style="italic">h</text></svg>"#,
+/// )?;
+/// assert!(picture.svg().contains("<path") && !picture.svg().contains("<text"));
+/// assert!(picture.png(2.0)?.starts_with(b"\x89PNG"));
+/// # Ok::<(), svg_pictures::PictureError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Picture {
+    tree: Tree,
+}
+
+impl Picture {
+    /// Reads a drawing, whose text becomes outlines.
+    ///
+    /// # Errors
+    /// As [`outlined`], and [`PictureError::Svg`] if the drawing is no SVG, has no size, or elements without end within
+    /// others.
+    pub fn new(drawing: &str) -> Result<Self, PictureError> {
+        let tree = Tree::from_str(&outlined(drawing)?, &Options::default()).map_err(invalid)?;
+        Ok(Self { tree })
+    }
+
+    /// Returns the picture as SVG, without text and style sheets; paths have two decimals.
+    pub fn svg(&self) -> String {
+        let writing = WriteOptions { coordinates_precision: 2, ..WriteOptions::default() };
+        self.tree.to_string(&writing)
+    }
+
+    /// Returns the picture as PNG with `scale` pixels per unit of its width and height.
+    ///
+    /// # Errors
+    /// [`PictureError::Pixels`] for a scale at which there are no pixels, or too many, and [`PictureError::Svg`] for
+    /// images in the drawing other than PNG, and those that are clipped, masked, filtered or translucent.
+    pub fn png(&self, scale: f32) -> Result<Vec<u8>, PictureError> {
+        let size = self.tree.size();
+        let refused = || PictureError::Pixels { width: size.width(), height: size.height(), scale };
+        let count = size.to_int_size().scale_by(scale).ok_or_else(refused)?;
+        let mut pixels = Pixmap::new(count.width(), count.height()).ok_or_else(refused)?;
+        let transform = Transform::from_scale(scale, scale);
+        match has_images(self.tree.root()) {
+            true => draw(self.tree.root(), transform, &mut pixels)?,
+            false => resvg::render(&self.tree, transform, &mut pixels.as_mut()),
+        }
+        pixels.encode_png().map_err(invalid)
+    }
+}
