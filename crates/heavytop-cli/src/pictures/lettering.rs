@@ -1,56 +1,17 @@
 //! The font of pictures, the width of texts in it, and lines of text.
 
-use resvg::usvg::{Group, Node, Options, Rect, Tree, fontdb::Database};
-use std::sync::{Arc, LazyLock};
-
-/// The font family of all text; the program contains the font.
+/// The font family of all text; the program contains its outlines.
 pub(crate) const FONT: &str = "DejaVu Sans";
 
-/// The settings with which drawings are read, with the font.
-pub(super) static OPTIONS: LazyLock<Options<'static>> = LazyLock::new(|| {
-    let mut fonts = Database::new();
-    fonts.load_font_data(dejavu::sans::regular().to_vec());
-    fonts.load_font_data(dejavu::sans::oblique().to_vec());
-    Options { font_family: FONT.into(), fontdb: Arc::new(fonts), ..Options::default() }
-});
-
-/// The size of the text that is measured; small sizes would be rounded.
-const SIZE: f64 = 100.0;
-
-/// Returns the width of a text, which may contain `tspan` elements, as a multiple of its size.
+/// Returns the width of a text, which may contain `tspan` elements, as a multiple of its size. It is 0 for what is no
+/// text, of which drawing the picture gives the error.
 pub(crate) fn width(text: &str) -> f64 {
-    let drawing = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"9\" font-size=\"{SIZE}\">\
-         <text>{text}</text></svg>"
-    );
-    boxes(&drawing).first().map_or(0.0, |(_, place)| f64::from(place.width()) / SIZE)
+    svg_pictures::width(text).unwrap_or(0.0)
 }
 
 /// Returns the largest width of some texts.
 pub(crate) fn widest<'a>(texts: impl IntoIterator<Item = &'a str>) -> f64 {
     texts.into_iter().map(width).fold(0.0, f64::max)
-}
-
-/// Returns the texts of a drawing and the boxes that they fill; none if the drawing cannot be read.
-pub(crate) fn boxes(drawing: &str) -> Vec<(String, Rect)> {
-    let mut found = Vec::new();
-    if let Ok(tree) = Tree::from_str(drawing, &OPTIONS) {
-        collect(tree.root(), &mut found);
-    }
-    found
-}
-
-fn collect(group: &Group, found: &mut Vec<(String, Rect)>) {
-    for node in group.children() {
-        match node {
-            Node::Group(group) => collect(group, found),
-            Node::Text(text) => {
-                let content = text.chunks().iter().map(|chunk| chunk.text()).collect();
-                found.push((content, text.abs_bounding_box()));
-            }
-            _ => {}
-        }
-    }
 }
 
 /// Returns the size at which a text is at most so long, and at most `size`.
@@ -74,46 +35,42 @@ pub(crate) fn lines(parts: &[String], most: f64) -> Vec<String> {
 
 /// Checks of drawings: where their texts are.
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 pub(crate) mod checks {
-    use super::{Rect, boxes};
+    use svg_pictures::{TextBox, boxes};
+
+    /// Returns the texts of a drawing.
+    pub fn texts(drawing: &str) -> Vec<String> {
+        boxes(drawing).unwrap().into_iter().map(|place| place.text).collect()
+    }
 
     /// Returns the pairs of texts that overlap, and the texts that the edge of the drawing cuts.
     pub fn collisions(drawing: &str, (width, height): (f64, f64)) -> Vec<String> {
-        // A viewBox that is not the size of the drawing scales the boxes.
-        let texts = boxes(&unscaled(drawing, (width, height)));
-        assert!(!texts.is_empty(), "no text is found");
+        let boxes = boxes(drawing).unwrap();
+        assert!(!boxes.is_empty(), "no text is found");
         let mut found = Vec::new();
-        for (n, (text, place)) in texts.iter().enumerate() {
-            let inside = place.left() >= 0.0
-                && place.top() >= 0.0
-                && f64::from(place.right()) <= width
-                && f64::from(place.bottom()) <= height;
+        for (n, place) in boxes.iter().enumerate() {
+            let inside = place.left >= 0.0
+                && place.top >= 0.0
+                && place.right <= width
+                && place.bottom <= height;
             if !inside {
-                found.push(format!("cut: {text}"));
+                found.push(format!("cut: {}", place.text));
             }
-            for (other, there) in &texts[..n] {
-                if overlap(place, there) {
-                    found.push(format!("{text} over {other}"));
-                }
+            for other in boxes[..n].iter().filter(|other| overlap(place, other)) {
+                found.push(format!("{} over {}", place.text, other.text));
             }
         }
         found
     }
 
-    fn unscaled(drawing: &str, (width, height): (f64, f64)) -> String {
-        let (_, rest) = drawing.split_once("viewBox").unwrap_or_default();
-        format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox{rest}"
-        )
-    }
-
-    fn overlap(one: &Rect, other: &Rect) -> bool {
+    fn overlap(one: &TextBox, other: &TextBox) -> bool {
         // Boxes are a line high, with room for accents above; glyphs fill some three quarters of it.
-        let room = 0.12 * one.height().min(other.height());
-        let apart = one.left() > other.right()
-            || other.left() > one.right()
-            || one.top() > other.bottom() - room
-            || other.top() > one.bottom() - room;
+        let room = 0.12 * (one.bottom - one.top).min(other.bottom - other.top);
+        let apart = one.left > other.right
+            || other.left > one.right
+            || one.top > other.bottom - room
+            || other.top > one.bottom - room;
         !apart
     }
 }
@@ -148,8 +105,8 @@ mod tests {
     fn collisions_are_found() {
         let drawing = |x: f64| {
             format!(
-                "<svg viewBox=\"0 0 900 100\" font-size=\"30\"><text x=\"10\" y=\"50\">0.0001</text>\
-                 <text x=\"{x}\" y=\"50\">0.0002</text></svg>"
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 900 100\" font-size=\"30\">\
+                 <text x=\"10\" y=\"50\">0.0001</text><text x=\"{x}\" y=\"50\">0.0002</text></svg>"
             )
         };
         assert_eq!(checks::collisions(&drawing(200.0), (900.0, 100.0)), [""; 0]);

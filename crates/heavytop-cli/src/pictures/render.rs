@@ -1,10 +1,8 @@
 //! Rendering of SVG: text to outlines, and SVG to PNG.
 
-use super::lettering::OPTIONS;
 use crate::Error;
 use crate::files::{Kind, contains};
-use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Tree, WriteOptions};
+use svg_pictures::Picture;
 
 /// The comment after the first tag of every SVG that the program writes.
 const COMMENT: &str = "<!-- heavytop -->";
@@ -29,15 +27,9 @@ pub(crate) const PNG: Kind<'_> = Kind {
 
 /// Returns the drawing with its text as outlines, and the same as PNG with `scale` pixels per CSS pixel.
 pub(crate) fn render(drawing: &str, scale: f32) -> Result<(String, Vec<u8>), Error> {
-    let tree = Tree::from_str(drawing, &OPTIONS).map_err(failed)?;
-    let writing = WriteOptions { coordinates_precision: 2, ..WriteOptions::default() };
-    let svg = tree.to_string(&writing).replacen('>', &format!(">\n    {COMMENT}"), 1);
-
-    let size = tree.size().to_int_size().scale_by(scale).ok_or_else(|| failed("no size"))?;
-    let mut pixels =
-        Pixmap::new(size.width(), size.height()).ok_or_else(|| failed("too many pixels"))?;
-    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
-    let png = pixels.encode_png().map_err(failed)?;
+    let picture = Picture::new(drawing).map_err(failed)?;
+    let svg = picture.svg().replacen('>', &format!(">\n    {COMMENT}"), 1);
+    let png = picture.png(scale).map_err(failed)?;
     Ok((svg, with_field(&png, SOFTWARE)))
 }
 
@@ -59,12 +51,13 @@ fn failed(reason: impl ToString) -> Error {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+    use resvg::tiny_skia::Pixmap;
 
     #[test]
     fn what_is_no_drawing_or_too_large_is_an_error() {
         let square = "<svg xmlns='http://www.w3.org/2000/svg' width='8' height='8'></svg>";
         let (svg, png) = render(square, 2.0).unwrap();
-        assert!(svg.starts_with("<svg") && Tree::from_str(&svg, &OPTIONS).is_ok(), "{svg}");
+        assert!(svg.starts_with("<svg ") && Picture::new(&svg).is_ok(), "{svg}");
         // A decoder that checks the checksums reads as many pixels.
         let decoded = Pixmap::decode_png(&png).unwrap();
         assert_eq!((decoded.width(), decoded.height()), (16, 16));

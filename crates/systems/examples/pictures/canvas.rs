@@ -3,12 +3,10 @@
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Options, Tree, WriteOptions, fontdb::Database};
 use std::error::Error;
 use std::fmt::Write;
 use std::path::Path;
-use std::sync::Arc;
+use svg_pictures::Picture;
 
 /// A part of the picture. Its coordinates are integers, [`PIXEL`] to a pixel, so that curves are smooth.
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -96,18 +94,11 @@ fn compose(
 }
 
 fn write(path: &Path, svg: &str) -> Result<(), Box<dyn Error>> {
-    let mut fonts = Database::new();
-    fonts.load_font_data(dejavu::sans::regular().to_vec());
-    let options =
-        Options { font_family: FONT.into(), fontdb: Arc::new(fonts), ..Options::default() };
-    let tree = Tree::from_str(svg, &options)?;
+    let picture = Picture::new(svg)?;
     if path.extension().is_some_and(|extension| extension == "svg") {
-        std::fs::write(path, tree.to_string(&WriteOptions::default()))?;
-        return Ok(());
+        std::fs::write(path, picture.svg())?;
+    } else {
+        std::fs::write(path, picture.png(1.0)?)?;
     }
-    let size = tree.size().to_int_size();
-    let mut pixels = Pixmap::new(size.width(), size.height()).ok_or("the picture is too large")?;
-    resvg::render(&tree, Transform::identity(), &mut pixels.as_mut());
-    std::fs::write(path, pixels.encode_png()?)?;
     Ok(())
 }

@@ -224,7 +224,7 @@ mod tests {
     use super::super::measurement::Outcome;
     use super::*;
     use crate::configuration::Config;
-    use crate::pictures::lettering::{boxes, checks::collisions};
+    use crate::pictures::lettering::checks::{collisions, texts};
     use heavytop::methods::Method;
 
     /// The chart of a top whose numbers and times are of this size.
@@ -262,7 +262,7 @@ mod tests {
         for (size, time) in [(1e-20, 1.0), (2e-4, 1e-3), (1.0, 1.0), (1.0, 1e-9), (1e20, 1e5)] {
             let drawing = drawing(size, time);
             assert_eq!(collisions(&drawing, (WIDTH, HEIGHT)), [""; 0], "{size} {time}");
-            let texts: Vec<String> = boxes(&drawing).into_iter().map(|(text, _)| text).collect();
+            let texts = texts(&drawing);
             let has = |part: &str| texts.iter().any(|text| text.contains(part));
             assert!(has("I = (") && has("Π(0) = (") && has("|δΠ| / max |Π|"), "{texts:?}");
             // The panels have labels on both axes.

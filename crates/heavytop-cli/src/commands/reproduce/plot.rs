@@ -182,7 +182,7 @@ mod tests {
     use super::super::record::Record;
     use super::*;
     use crate::configuration::Config;
-    use crate::pictures::lettering::{boxes, checks::collisions};
+    use crate::pictures::lettering::checks::{collisions, texts};
     use heavytop::methods::{Formulation, SchemeName};
 
     /// The records of quantities that oscillate about `value` with this amplitude, up to time `end`.
@@ -220,8 +220,7 @@ mod tests {
                     for figure in all(&records).into_iter().skip(3).take(2) {
                         let drawing = plot(&figure).unwrap();
                         let canvas = (f64::from(WIDTH), f64::from(HEIGHT));
-                        let texts: Vec<_> =
-                            boxes(&drawing).into_iter().map(|(text, _)| text).collect();
+                        let texts = texts(&drawing);
                         assert_eq!(
                             collisions(&drawing, canvas),
                             [""; 0],
@@ -236,7 +235,7 @@ mod tests {
         // The unit of K is written as everywhere else, and the label has the power of ten.
         let records = records(0.0, 3e-20, 2.0);
         let drawing = plot(&all(&records)[3]).unwrap();
-        assert!(boxes(&drawing).iter().any(|(text, _)| text == "K (10⁻²⁰ (kg m²/s)⁴)"));
+        assert!(texts(&drawing).iter().any(|text| text == "K (10⁻²⁰ (kg m²/s)⁴)"));
     }
 
     #[test]

@@ -127,7 +127,7 @@ mod tests {
     use super::*;
     use crate::configuration::Config;
     use crate::pictures::frame::{HEIGHT, WIDTH};
-    use crate::pictures::lettering::{boxes, checks::collisions};
+    use crate::pictures::lettering::checks::{collisions, texts};
 
     /// A picture of a top whose angular momenta are of this size, in kg m²/s.
     fn picture(size: f64, surface: &str) -> String {
@@ -158,7 +158,7 @@ mod tests {
             (survey.widths, survey.heights) = ([-1.4 * size, 1.4 * size], [-1.3, 1.3]);
             let drawing = Picture::begin(&settings, &survey).complete();
             assert_eq!(collisions(&drawing, (WIDTH, HEIGHT)), [""; 0], "{size}");
-            let texts: Vec<String> = boxes(&drawing).into_iter().map(|(text, _)| text).collect();
+            let texts = texts(&drawing);
             let has = |part: &str| texts.iter().any(|text| text.contains(part));
             assert!(has("Pi1 + Pi2") && has("Pi3") && has("Gamma3 = 0, increasing"), "{texts:?}");
         }
@@ -170,8 +170,7 @@ mod tests {
             for surface in ["Gamma3", "Pi1"] {
                 let drawing = picture(size, surface);
                 assert_eq!(collisions(&drawing, (WIDTH, HEIGHT)), [""; 0], "{size}");
-                let texts: Vec<String> =
-                    boxes(&drawing).into_iter().map(|(text, _)| text).collect();
+                let texts = texts(&drawing);
                 let has = |part: &str| texts.iter().any(|text| text.contains(part));
                 assert!(
                     has("reduced, gauss-8, step ") && has("60 starts, 500 returns"),
@@ -180,7 +179,7 @@ mod tests {
                 assert!(has("mean of |") && has("angle of Γ about e"), "{texts:?}");
             }
         }
-        let texts = boxes(&picture(1e-20, "Gamma3"));
-        assert!(texts.iter().any(|(text, _)| text == "Π₃ (10⁻²⁰ kg m²/s)"), "{texts:?}");
+        let texts = texts(&picture(1e-20, "Gamma3"));
+        assert!(texts.iter().any(|text| text == "Π₃ (10⁻²⁰ kg m²/s)"), "{texts:?}");
     }
 }

@@ -163,7 +163,7 @@ fn blank(svg: &mut String, frame: &Frame, column: &Column, (failed, plan): (u64,
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::pictures::lettering::{boxes, checks::collisions};
+    use crate::pictures::lettering::checks::{collisions, texts};
 
     /// The map of an observable of 3 × 3 tops whose sizes are all of this size, and its texts.
     fn map(size: f64, observable: &str, values: &[Option<f64>; 9]) -> (String, Vec<String>) {
@@ -180,7 +180,7 @@ mod tests {
         let column = plan.columns.first().unwrap();
         let failed = values.iter().filter(|value| value.is_none()).count() as u64;
         let drawing = heat_map(&plan, [3, 3], column, values, failed).unwrap();
-        let texts = boxes(&drawing).into_iter().map(|(text, _)| text).collect();
+        let texts = texts(&drawing);
         (drawing, texts)
     }
 
@@ -229,8 +229,8 @@ mod tests {
         assert_eq!(names, ["drift_h", "drift_c1", "drift_c2"]);
         let drawing = heat_map(&plan, [3, 3], &plan.columns[1], &with(VALUES), 0).unwrap();
         assert_eq!(collisions(&drawing, (WIDTH, HEIGHT)), [""; 0]);
-        let texts: Vec<String> = boxes(&drawing).into_iter().map(|(text, _)| text).collect();
-        let caption = texts.join("; ");
+        let written = texts(&drawing);
+        let caption = written.join("; ");
         for part in [
             "9 runs",
             "reduced, gauss-8, step 0.1 s",
@@ -245,10 +245,10 @@ mod tests {
             assert!(caption.contains(part), "{part}: {caption}");
         }
         for title in ["I2", "Gamma1(0)", "deviation of c1"] {
-            assert!(texts.iter().any(|text| text == title), "{title}: {texts:?}");
+            assert!(written.iter().any(|text| text == title), "{title}: {written:?}");
         }
         let blank = heat_map(&plan, [3, 3], &plan.columns[0], &[None; 9], 9).unwrap();
-        let texts: Vec<String> = boxes(&blank).into_iter().map(|(text, _)| text).collect();
+        let texts = texts(&blank);
         assert!(texts.iter().any(|text| text == "9 of 9 runs could not be followed"), "{texts:?}");
     }
 
