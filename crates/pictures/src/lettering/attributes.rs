@@ -56,12 +56,16 @@ pub(super) fn check(text: Node<'_, '_>) -> Result<(), PictureError> {
 }
 
 pub(super) fn unsupported(node: Node<'_, '_>, attribute: &str) -> PictureError {
-    PictureError::Unsupported { element: node.tag_name().name().into(), attribute: attribute.into() }
+    PictureError::Unsupported {
+        element: node.tag_name().name().into(),
+        attribute: attribute.into(),
+    }
 }
 
 /// Returns the size of the letters of a text.
 pub(super) fn size(text: Node<'_, '_>) -> Result<f64, PictureError> {
-    const EXPECTED: &str = "a size of letters: a number that is not negative, or such a number and px";
+    const EXPECTED: &str =
+        "a size of letters: a number that is not negative, or such a number and px";
     let Some(value) = inherited(text, "font-size") else { return Ok(SIZE) };
     let size = Length::from_str(value).ok().filter(|size| size.number >= 0.0);
     match size {

@@ -61,8 +61,7 @@ fn draw_image(
         ImageRendering::Smooth => FilterQuality::Bilinear,
         _ => FilterQuality::Nearest,
     };
-    let shader =
-        Pattern::new(cells.as_ref(), SpreadMode::Pad, quality, 1.0, Transform::identity());
+    let shader = Pattern::new(cells.as_ref(), SpreadMode::Pad, quality, 1.0, Transform::identity());
     let transform = transform.pre_concat(image.abs_transform());
     pixels.fill_rect(area, &Paint { shader, ..Paint::default() }, transform, None);
     Ok(())
