@@ -2,33 +2,46 @@
 
 use crate::error::PictureError;
 use resvg::tiny_skia::{FilterQuality, Paint, Pattern, Pixmap, Rect, SpreadMode, Transform};
-use usvg::{Group, Image, ImageKind, ImageRendering, Node};
+use usvg::{Group, Image, ImageKind, ImageRendering, Node, Path};
 
-/// Draws what is in a group. Images are drawn here: the library draws them only with decoders of all formats, which
-/// take long to compile.
+/// Draws what is in a group with images, with the transform of its contents. Images are drawn here: the library draws
+/// them only with decoders of all formats, which take long to compile.
 pub(super) fn draw(
     group: &Group,
     transform: Transform,
     pixels: &mut Pixmap,
 ) -> Result<(), PictureError> {
     for node in group.children() {
-        match node {
-            Node::Image(image) if is_raster(image) => draw_image(image, transform, pixels)?,
-            Node::Group(group) if has_images(group) => {
+        match (node, node.abs_layer_bounding_box()) {
+            (Node::Image(image), _) if is_raster(image) => draw_image(image, transform, pixels)?,
+            (Node::Group(group), _) if has_images(group) => {
                 if group.should_isolate() {
                     return Err(invalid("an image is clipped, masked, filtered or translucent"));
                 }
-                draw(group, transform, pixels)?;
+                draw(group, transform.pre_concat(group.transform()), pixels)?;
             }
-            node => {
-                // The library moves the node to the corner of the pixels; what has no box is not visible.
-                if let Some(place) = node.abs_layer_bounding_box() {
-                    let transform = transform.pre_translate(place.x(), place.y());
-                    resvg::render_node(node, transform, &mut pixels.as_mut());
-                }
+            (node, Some(place)) => {
+                // The library moves the corner of the node to the origin.
+                let transform = transform.pre_translate(place.x(), place.y());
+                resvg::render_node(node, transform, &mut pixels.as_mut());
             }
+            (Node::Path(path), None) => draw_line(path, transform, pixels)?,
+            (_, None) => {}
         }
     }
+    Ok(())
+}
+
+/// Draws a line along an axis. It has no area, and so the library does not draw it alone.
+fn draw_line(path: &Path, transform: Transform, pixels: &mut Pixmap) -> Result<(), PictureError> {
+    let Some(stroke) = path.stroke().filter(|_| path.is_visible()) else { return Ok(()) };
+    let usvg::Paint::Color(colour) = stroke.paint() else {
+        return Err(invalid("a line along an axis, beside an image, has more than a colour"));
+    };
+    let mut paint = Paint::default();
+    paint.set_color_rgba8(colour.red, colour.green, colour.blue, stroke.opacity().to_u8());
+    paint.anti_alias = path.rendering_mode().use_shape_antialiasing();
+    pixels.stroke_path(path.data(), &paint, &stroke.to_tiny_skia(), transform, None);
     Ok(())
 }
 
@@ -62,7 +75,6 @@ fn draw_image(
         _ => FilterQuality::Nearest,
     };
     let shader = Pattern::new(cells.as_ref(), SpreadMode::Pad, quality, 1.0, Transform::identity());
-    let transform = transform.pre_concat(image.abs_transform());
     pixels.fill_rect(area, &Paint { shader, ..Paint::default() }, transform, None);
     Ok(())
 }

@@ -84,11 +84,17 @@ fn cells_are_drawn_between_what_is_before_and_after() {
 /// What is drawn beside an image is drawn as without it.
 #[test]
 fn an_image_does_not_move_the_rest() {
+    // Lines along the axes alone and in groups, one of them with the image: they have no area.
     let rest = "<g transform='translate(3.3 1.7)'><path d='M5 5L800 33.3' stroke='#333'/></g>\
+                <path d='M540.2 50.5H890' stroke='#a00' stroke-width='3' stroke-dasharray='9 4'/>\
+                <g transform='rotate(90 700 60)'><path d='M700 60H800' stroke='#0a0'/>{}</g>\
                 <text x='600.4' y='170.3' font-size='33'>0.25</text>";
-    let alone = pixels(rest, 1.7).unwrap();
-    let beside = pixels(&format!("{}{rest}", image("")), 1.7).unwrap();
+    let alone = pixels(&rest.replace("{}", ""), 1.7).unwrap();
+    let small = image("transform='scale(0.1)'");
+    let beside = pixels(&format!("{}{}", image(""), rest.replace("{}", &small)), 1.7).unwrap();
     let mut largest = 0;
+    let drawn = alone.data().iter().filter(|byte| **byte != 0).count();
+    assert!(drawn > 10_000, "{drawn}");
     for (x, y) in (900..1530).flat_map(|x| (0..510).map(move |y| (x, y))) {
         let pairs = colour(&alone, x, y).into_iter().zip(colour(&beside, x, y));
         largest = largest.max(pairs.map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0));
