@@ -7,6 +7,7 @@ use workspace_tests::architecture::{Sources, cycles, declared_order, imports, ro
 
 /// The crates, from the bottom to the top.
 const CRATES: &[&str] = &[
+    "pictures",
     "scalars",
     "lie-poisson",
     "formulas",
@@ -64,6 +65,7 @@ fn rooms_import_the_rooms_before_them() {
 
 /// The folder and the package of each crate, from the bottom to the top.
 const PACKAGES: &[(&str, &str)] = &[
+    ("pictures", "svg-pictures"),
     ("scalars", "generic-scalars"),
     ("lie-poisson", "lie-poisson"),
     ("formulas", "lie-poisson-formulas"),

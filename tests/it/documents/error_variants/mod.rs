@@ -7,6 +7,7 @@ mod errors_of_formula_systems;
 mod errors_of_formulas;
 mod errors_of_integrators;
 mod errors_of_lie_poisson;
+mod errors_of_pictures;
 mod errors_of_systems;
 mod errors_of_tops;
 
@@ -17,7 +18,8 @@ use std::fs;
 use std::path::Path;
 
 /// The folders of the library crates.
-const LIBRARIES: [&str; 9] = [
+const LIBRARIES: [&str; 10] = [
+    "pictures",
     "scalars",
     "lie-poisson",
     "momentum-map",
@@ -111,6 +113,7 @@ fn every_variant_of_every_error_is_returned() -> Result<(), Box<dyn Error>> {
     }
     let mut returned = BTreeSet::new();
     for errors in [
+        errors_of_pictures::errors(),
         errors_of_lie_poisson::errors(),
         errors_of_integrators::steps_and_schemes(),
         errors_of_integrators::runs_and_measurements(),
