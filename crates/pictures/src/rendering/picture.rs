@@ -29,7 +29,7 @@ impl Picture {
     /// Reads a drawing, whose text becomes outlines.
     ///
     /// # Errors
-    /// As [`outlined`], and [`PictureError::Svg`] if the drawing is no SVG, has no size, or elements without end within
+    /// As [`outlined`], and [`PictureError::Svg`] if the drawing is no SVG, has no size, or elements too deep within
     /// others.
     pub fn new(drawing: &str) -> Result<Self, PictureError> {
         let tree = Tree::from_str(&outlined(drawing)?, &Options::default()).map_err(invalid)?;

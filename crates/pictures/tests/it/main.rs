@@ -3,9 +3,10 @@
 
 mod any_drawing;
 mod attributes;
-mod errors;
+
 mod files;
 mod outlines;
+mod refused_drawings;
 mod widths;
 
 /// Returns a drawing of 900 × 300 with this in it.
