@@ -3,7 +3,6 @@
 
 mod any_drawing;
 mod attributes;
-
 mod files;
 mod outlines;
 mod refused_drawings;
