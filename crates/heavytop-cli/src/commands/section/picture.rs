@@ -41,7 +41,7 @@ pub(super) struct Picture<'a> {
 impl<'a> Picture<'a> {
     /// Creates the picture without points.
     pub fn begin(settings: &Settings, survey: &'a Survey) -> Self {
-        let drawing = settings.problem.as_problem().drawing(&settings.limits);
+        let drawing = settings.problem.drawing(&settings.limits);
         let Drawing { caption, abscissa: (title, is_angle), ordinate: (free, unit) } = drawing;
         let axis = Axis::around(survey.heights.into_iter(), 6);
         let means = &survey.means;

@@ -101,7 +101,7 @@ fn write(
     options.safeguard.require_all(out, &files)?;
     let threads = threads(options.threads)?;
     let held = orbits.tiles.prepare(options)?;
-    settings.problem.as_problem().warnings().into_iter().for_each(warn);
+    settings.problem.warnings().into_iter().for_each(warn);
 
     let progress = Progress::of(settings.limits.starts as u64, "starts", options.quiet);
     let done = AtomicU64::new(0);

@@ -60,7 +60,7 @@ pub fn dry_run(config: &Config, out: &Path, count: Option<usize>) -> Result<Fore
 fn of(settings: &Settings, out: &Path) -> Forecast {
     let Limits { starts, crossings, .. } = settings.limits;
     let rows = starts as u64 * (1 + crossings as u64);
-    let numbers = NUMBERS + settings.problem.as_problem().columns().len() as u64;
+    let numbers = NUMBERS + settings.problem.columns().len() as u64;
     let text = rows * BYTES_OF_TEXT * (numbers - 2);
     let table = compressed(rows * 8 * numbers);
     let bytes = text + table + rows * BYTES_OF_DRAWING + BYTES_OF_FRAMES;

@@ -55,7 +55,7 @@ impl SectionSummary {
         accuracy: Option<OrbitAccuracy>,
         out: &Path,
     ) -> Self {
-        let (problem, limits) = (settings.problem.as_problem(), &settings.limits);
+        let (problem, limits) = (&settings.problem, &settings.limits);
         let (formulation, scheme) = problem.method();
         Self {
             out: out.into(),

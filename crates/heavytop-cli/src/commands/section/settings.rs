@@ -1,13 +1,14 @@
 //! The settings of a section: what it is of, and how far its starts are followed.
 
-use super::problems::any_problem::AnyProblem;
 use super::problems::limits::Limits;
+use super::problems::section_problem::SectionProblem;
 use super::problems::system_problem::SystemProblem;
 use super::problems::top_problem::TopProblem;
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
 use crate::formats::run_table::require_distinct;
 use crate::runs::schedule::directed_step;
+use std::sync::Arc;
 
 /// The largest number of points; more must be a typing error.
 const MOST_POINTS: f64 = 1e7;
@@ -18,7 +19,7 @@ const MOST_STEPS: f64 = 1e12;
 /// A section, and how its points are computed.
 #[derive(Clone, Debug)]
 pub(super) struct Settings {
-    pub problem: AnyProblem,
+    pub problem: Arc<dyn SectionProblem>,
     pub limits: Limits,
 }
 
@@ -29,12 +30,12 @@ impl Settings {
     /// If there is no such section.
     pub fn of(config: &Config) -> Result<Self, Error> {
         let section = config.section.clone().unwrap_or_default();
-        let problem = if config.system.is_some() {
+        let problem: (Arc<dyn SectionProblem>, _) = if config.system.is_some() {
             let (problem, own) = SystemProblem::new(config, &section)?;
-            (AnyProblem::System(problem), own)
+            (Arc::new(problem), own)
         } else {
             let (problem, own) = TopProblem::new(config, &section)?;
-            (AnyProblem::Top(problem), own)
+            (Arc::new(problem), own)
         };
         Self::new(config, &section, problem)
     }
@@ -46,7 +47,7 @@ impl Settings {
     fn new(
         config: &Config,
         settings: &SectionConfig,
-        (problem, own): (AnyProblem, Integration),
+        (problem, own): (Arc<dyn SectionProblem>, Integration),
     ) -> Result<Self, Error> {
         let (Integration { step, end, .. }, longest) =
             (config.integrator.or(own), settings.longest);
@@ -56,7 +57,7 @@ impl Settings {
             let (name, range) = ("longest", "positive and finite");
             return Err(Error::OutOfRange { name, range, value: longest });
         }
-        problem.as_problem().require_step(step)?;
+        problem.require_step(step)?;
         let steps = (longest / step.abs()).ceil();
         if steps > MOST_STEPS {
             return Err(Error::TooManySteps { steps, most: MOST_STEPS });
@@ -83,16 +84,15 @@ impl Settings {
 
     /// Returns the names of the columns of the points.
     pub fn header(&self) -> String {
-        format!("start,crossing,t,{},x,y", self.problem.as_problem().columns().join(","))
+        format!("start,crossing,t,{},x,y", self.problem.columns().join(","))
     }
 
     /// Returns the configuration with every key that was left out and plays a part.
     pub fn complete(&self, config: &Config) -> Config {
-        let (formulation, scheme) = self.problem.as_problem().method();
+        let (formulation, scheme) = self.problem.method();
         let step = self.limits.step;
         let own = Integration { formulation, scheme, step, ..Integration::default() };
-        let section =
-            self.problem.as_problem().complete(config.section.clone().unwrap_or_default());
+        let section = self.problem.complete(config.section.clone().unwrap_or_default());
         let integrator = config.integrator.or(own).into();
         Config { integrator, section: Some(section), ..config.clone() }
     }

@@ -25,7 +25,7 @@ impl Survey {
     /// Creates the survey of no orbit.
     pub fn new(settings: &Settings) -> Self {
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
-        let deviations = vec![0.0; settings.problem.as_problem().conserved().len()];
+        let deviations = vec![0.0; settings.problem.conserved().len()];
         let (widths, heights) = (nothing, nothing);
         Self { points: 0, short: 0, deviations, widths, heights, means: Vec::new() }
     }
@@ -36,7 +36,7 @@ impl Survey {
         let start = orbit.crossings.first().map(|start| start.state.as_slice());
         let start = start.unwrap_or_default();
         for point in &orbit.crossings {
-            let deviations = settings.problem.as_problem().deviations(start, &point.state);
+            let deviations = settings.problem.deviations(start, &point.state);
             for (most, deviation) in self.deviations.iter_mut().zip(deviations) {
                 *most = larger(*most, deviation);
             }

@@ -89,7 +89,7 @@ impl<'a> MemberTable<'a> {
         let numbers: Vec<i64> = indices.clone().map(|index| index as i64).collect();
         write_column::<Int64Type>(&mut group, &numbers, None)?;
         for axis in 0..plan.axes.len() {
-            let family = plan.family.as_family();
+            let family = &plan.family;
             let value = |index| family.run_values(&plan.parameters(index)).get(axis).copied();
             let values: Vec<f64> = indices.clone().filter_map(value).collect();
             write_column::<DoubleType>(&mut group, &values, None)?;

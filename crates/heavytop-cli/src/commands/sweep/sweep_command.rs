@@ -102,7 +102,7 @@ fn run(
 ) -> Result<Option<SweepSummary>, Error> {
     let (rank, size) = processes.place();
     let plan = Plan::new(config)?;
-    let metadata = Metadata::new(&plan.config)?.with_casimirs(plan.family.as_family().casimirs());
+    let metadata = Metadata::new(&plan.config)?.with_casimirs(plan.family.casimirs());
     let members = Members::new(&plan, out)?;
     let threads = threads(options.threads)?;
     if rank == 0 {
@@ -123,7 +123,7 @@ fn run(
         return Err(interrupted());
     }
     if rank == 0 {
-        let family = plan.family.as_family().warnings().into_iter();
+        let family = plan.family.warnings().into_iter();
         let of_body = threads.install(|| impossible_members(&plan));
         let of_accuracy = accuracy.as_ref().and_then(|accuracy| worst_warning(&plan, accuracy));
         family.chain(of_body).chain(of_accuracy).for_each(warn);

@@ -1,7 +1,7 @@
 //! The plan of a sweep: the family of its members, and the values of the axes for each, by its number.
 
-use super::families::any_family::AnyFamily;
 use super::families::course::Course;
+use super::families::family::Family;
 use super::families::system_family::SystemFamily;
 use super::families::top_family::TopFamily;
 use crate::Error;
@@ -11,6 +11,7 @@ use crate::runs::Schedule;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// The largest number of members; more must be a typing error.
 const MOST_MEMBERS: f64 = 1e9;
@@ -22,7 +23,7 @@ pub(super) const FAILURE: &str = "failure";
 /// A sweep whose configuration has been checked.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
-    pub family: AnyFamily,
+    pub family: Arc<dyn Family>,
     pub axes: Vec<SweepAxis>,
     /// The columns of all observables.
     pub columns: Vec<Column>,
@@ -48,18 +49,18 @@ impl Plan {
         let axes = axes.iter().map(|axis| axis.axis()).collect::<Result<Vec<_>, _>>()?;
         require_some(&axes, &sweep)?;
         let members = number_of_members(&axes, sweep.count)?;
-        let (family, integration) = match system {
+        let (family, integration): (Arc<dyn Family>, _) = match system {
             Some(system) => {
                 let (family, integration) = SystemFamily::new(system, config, &axes)?;
-                (AnyFamily::System(family), integration)
+                (Arc::new(family), integration)
             }
             None => {
                 let (family, integration) = TopFamily::new(config, &axes)?;
-                (AnyFamily::Tops(family), integration)
+                (Arc::new(family), integration)
             }
         };
         let (observables, seed) = (sweep.observables.clone(), sweep.seed);
-        let columns = observables.iter().map(|observable| family.as_family().columns(*observable));
+        let columns = observables.iter().map(|observable| family.columns(*observable));
         let columns = columns.collect::<Result<Vec<_>, _>>()?.concat();
         require_different_names(&axes, &columns)?;
         let schedule = Schedule::new(integration.step, integration.end)?;
@@ -71,7 +72,7 @@ impl Plan {
 
     /// Returns the word for several members.
     pub fn nouns(&self) -> &'static str {
-        self.family.as_family().nouns()[1]
+        self.family.nouns()[1]
     }
 
     /// Returns the values of the axes for a member. In a grid the last axis runs fastest.

@@ -44,8 +44,8 @@ pub struct SweepSummary {
 impl SweepSummary {
     /// Creates the summary of a sweep in which nothing has failed yet.
     pub(super) fn new(plan: &Plan, error_estimate: Option<f64>, out: &Path) -> Self {
-        let (formulation, scheme) = plan.family.as_family().method();
-        let casimirs = plan.family.as_family().casimirs().into_iter().map(Value::from);
+        let (formulation, scheme) = plan.family.method();
+        let casimirs = plan.family.casimirs().into_iter().map(Value::from);
         Self {
             out: out.into(),
             tops: Some(plan.members).filter(|_| plan.config.system.is_none()),

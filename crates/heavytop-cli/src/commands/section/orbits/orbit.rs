@@ -38,7 +38,7 @@ pub(in crate::commands::section) fn orbit(
     let crossing = |time: f64, state: &[f64]| Crossing {
         time,
         state: state.to_vec(),
-        plane: problem.as_problem().plane(state),
+        plane: problem.plane(state),
     };
     let mut crossings = vec![crossing(0.0, start)];
     let mut visit = |time: f64, state: &[f64]| {

@@ -126,7 +126,7 @@ impl<'a> Orbits<'a> {
 
     /// Parses the lines of a tile into orbits, one for each of its starts.
     fn parse(&self, tile: u64, lines: &str) -> Option<Vec<Orbit>> {
-        let dimension = self.settings.problem.as_problem().columns().len();
+        let dimension = self.settings.problem.columns().len();
         let mut orbits: Vec<Orbit> = Vec::new();
         for line in lines.lines() {
             let (number, index, crossing) = point(line, dimension)?;

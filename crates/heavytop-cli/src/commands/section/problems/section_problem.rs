@@ -1,17 +1,22 @@
-//! The interface of the motions that sections are made of: their states as numbers, and how a section is drawn.
+//! The interface of the motions that sections are made of: their states as numbers, how they are followed, and how a
+//! section is drawn.
 
 use super::limits::Limits;
 use crate::Error;
 use crate::configuration::SectionConfig;
+use collective_integrators::diagnostics::RunAccuracy;
 use heavytop::methods::{Formulation, SchemeName};
 use serde_json::{Map, Value};
+use std::fmt::Debug;
 
 /// A function that is called with the time (s) and the state of each return of a trajectory to the surface.
 pub(in crate::commands::section) type Visit<'a> =
     &'a mut dyn FnMut(f64, &[f64]) -> Result<(), Error>;
 
-/// A kind of motion that sections are made of.
-pub(in crate::commands::section) trait SectionProblem {
+/// A kind of motion that sections are made of: of a top, or of another Lie–Poisson system.
+pub(in crate::commands::section) trait SectionProblem:
+    Debug + Send + Sync
+{
     /// Returns the names of the coordinates of a state.
     fn columns(&self) -> Vec<String>;
 
@@ -44,6 +49,35 @@ pub(in crate::commands::section) trait SectionProblem {
 
     /// Returns the words of the picture.
     fn drawing(&self, limits: &Limits) -> Drawing;
+
+    /// Finds the starts of the section.
+    ///
+    /// # Errors
+    /// If there are none, or a given state never comes to the surface.
+    fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error>;
+
+    /// Measures how accurate the motion of a start is for so many steps of a size (s).
+    ///
+    /// # Errors
+    /// If there is no such integrator.
+    fn accuracy(
+        &self,
+        start: &[f64],
+        steps: (f64, u64),
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, Error>;
+
+    /// Passes the returns of a start with this number to `visit`.
+    ///
+    /// # Errors
+    /// If the start cannot be followed, or `visit` fails.
+    fn follow(
+        &self,
+        limits: &Limits,
+        number: usize,
+        start: &[f64],
+        visit: Visit<'_>,
+    ) -> Result<(), Error>;
 }
 
 /// The words of the picture of a section.

@@ -90,47 +90,6 @@ impl SystemProblem {
         first.ok_or(Error::NeverCrosses { state: number, longest: limits.longest })
     }
 
-    /// Finds the starts: on the surface at random, or where the given states come to it first.
-    ///
-    /// # Errors
-    /// If there are none, or a given state never comes to the surface.
-    pub(super) fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error> {
-        if !self.given.is_empty() {
-            let given = (1..).zip(&self.given);
-            return given.map(|(n, state)| self.first_crossing(limits, n, state)).collect();
-        }
-        self.section
-            .starts(&self.initial, &self.levels, limits.starts, limits.seed)
-            .map_err(Error::of_system_section)
-    }
-
-    /// Measures how accurate the motion of a start is for so many steps of a size (s).
-    ///
-    /// # Errors
-    /// If there is no such integrator.
-    pub(super) fn accuracy(
-        &self,
-        start: &[f64],
-        steps: (f64, u64),
-        going: &dyn Fn() -> bool,
-    ) -> Result<RunAccuracy, Error> {
-        Ok(self.method.accuracy(self.system(), start, steps, going)?)
-    }
-
-    /// Passes the returns of a start with this number to `visit`.
-    ///
-    /// # Errors
-    /// If the start cannot be followed, or `visit` fails.
-    pub(super) fn follow(
-        &self,
-        limits: &Limits,
-        number: usize,
-        start: &[f64],
-        visit: Visit<'_>,
-    ) -> Result<(), Error> {
-        self.visit_returns(limits, (number, start, false), visit)
-    }
-
     /// Passes the returns of a start with this number to `visit`, which may count the start if it lies on the surface.
     fn visit_returns(
         &self,
@@ -267,6 +226,35 @@ impl SectionProblem for SystemProblem {
             followed(limits),
         ];
         Drawing { caption, abscissa: (x, false), ordinate: (y, "") }
+    }
+
+    fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error> {
+        if !self.given.is_empty() {
+            let given = (1..).zip(&self.given);
+            return given.map(|(n, state)| self.first_crossing(limits, n, state)).collect();
+        }
+        self.section
+            .starts(&self.initial, &self.levels, limits.starts, limits.seed)
+            .map_err(Error::of_system_section)
+    }
+
+    fn accuracy(
+        &self,
+        start: &[f64],
+        steps: (f64, u64),
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, Error> {
+        Ok(self.method.accuracy(self.system(), start, steps, going)?)
+    }
+
+    fn follow(
+        &self,
+        limits: &Limits,
+        number: usize,
+        start: &[f64],
+        visit: Visit<'_>,
+    ) -> Result<(), Error> {
+        self.visit_returns(limits, (number, start, false), visit)
     }
 }
 

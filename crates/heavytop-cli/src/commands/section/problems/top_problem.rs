@@ -61,57 +61,6 @@ impl TopProblem {
         Ok((Self { section, method, axes, body_warning }, own))
     }
 
-    /// Finds the starts of the section.
-    ///
-    /// # Errors
-    /// If there are none.
-    pub(super) fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error> {
-        let starts = self.section.starts(limits.starts, limits.seed)?;
-        Ok(starts.iter().map(|mu| self.numbers(mu)).collect())
-    }
-
-    /// Passes the returns of a start with this number to `visit`.
-    ///
-    /// # Errors
-    /// If the start cannot be followed, or `visit` fails.
-    pub(super) fn follow(
-        &self,
-        limits: &Limits,
-        number: usize,
-        start: &[f64],
-        visit: Visit<'_>,
-    ) -> Result<(), Error> {
-        let Self { section, method, .. } = self;
-        let (integrator, start) =
-            (method.integrator(&section.level().top)?, AnyState::of(&self.state(start)));
-        let returns = section.crossings(&integrator, &start, limits.step, limits.steps)?;
-        for event in returns.take(limits.crossings) {
-            let sample = event.map_err(|source| Error::Crossing {
-                formulation: method.formulation().name(),
-                scheme: method.scheme().name(),
-                start: number,
-                source,
-            })?;
-            let mu = Se3Dual::from_coordinates(|i| sample.momentum.entry(i));
-            visit(sample.time, &self.numbers(&mu))?;
-        }
-        Ok(())
-    }
-
-    /// Measures how accurate the motion of a start is for so many steps of a size (s).
-    ///
-    /// # Errors
-    /// If there is no such integrator.
-    pub(super) fn accuracy(
-        &self,
-        start: &[f64],
-        steps: (f64, u64),
-        going: &dyn Fn() -> bool,
-    ) -> Result<RunAccuracy, Error> {
-        let top = &self.section.level().top;
-        Ok(self.method.accuracy(top, &self.state(start), steps, going)?)
-    }
-
     /// Returns the state, in principal axes, with these coordinates in the axes of the table.
     fn state(&self, numbers: &[f64]) -> Se3Dual {
         let given = Se3Dual::from_coordinates(|i| numbers.get(i).copied().unwrap_or(f64::NAN));
@@ -205,6 +154,45 @@ impl SectionProblem for TopProblem {
             }
         };
         Drawing { caption: words(&self.section, &self.method, limits), abscissa, ordinate }
+    }
+
+    fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error> {
+        let starts = self.section.starts(limits.starts, limits.seed)?;
+        Ok(starts.iter().map(|mu| self.numbers(mu)).collect())
+    }
+
+    fn accuracy(
+        &self,
+        start: &[f64],
+        steps: (f64, u64),
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, Error> {
+        let top = &self.section.level().top;
+        Ok(self.method.accuracy(top, &self.state(start), steps, going)?)
+    }
+
+    fn follow(
+        &self,
+        limits: &Limits,
+        number: usize,
+        start: &[f64],
+        visit: Visit<'_>,
+    ) -> Result<(), Error> {
+        let Self { section, method, .. } = self;
+        let (integrator, start) =
+            (method.integrator(&section.level().top)?, AnyState::of(&self.state(start)));
+        let returns = section.crossings(&integrator, &start, limits.step, limits.steps)?;
+        for event in returns.take(limits.crossings) {
+            let sample = event.map_err(|source| Error::Crossing {
+                formulation: method.formulation().name(),
+                scheme: method.scheme().name(),
+                start: number,
+                source,
+            })?;
+            let mu = Se3Dual::from_coordinates(|i| sample.momentum.entry(i));
+            visit(sample.time, &self.numbers(&mu))?;
+        }
+        Ok(())
     }
 }
 

@@ -1,11 +1,17 @@
 //! The interface of the families of motions that sweeps follow.
 
+use super::course::Course;
+use crate::Error;
 use crate::configuration::{Column, Integration, Observable, SweepAxis};
 use crate::errors::SweepError;
+use collective_integrators::diagnostics::RunAccuracy;
 use heavytop::methods::{Formulation, SchemeName};
+use std::fmt::Debug;
 
 /// A family of motions, whose members differ by the values of the axes of a sweep.
-pub(in crate::commands::sweep) trait Family {
+pub(in crate::commands::sweep) trait Family:
+    Debug + Send + Sync
+{
     /// Returns the word for a member, and that for several.
     fn nouns(&self) -> [&'static str; 2];
 
@@ -44,6 +50,23 @@ pub(in crate::commands::sweep) trait Family {
 
     /// Returns the Casimirs that the table numbers, as formulas; none where those of the members differ.
     fn casimirs(&self) -> Vec<String>;
+
+    /// Follows the member at these values of the axes, and returns the values of the columns of all observables.
+    ///
+    /// # Errors
+    /// If there is no such member, or it cannot be followed to the end.
+    fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error>;
+
+    /// Measures how accurate the motion of the member at these values of the axes is.
+    ///
+    /// # Errors
+    /// If there is no such member.
+    fn accuracy(
+        &self,
+        values: &[f64],
+        course: &Course,
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, Error>;
 }
 
 /// Returns the integrator of a sweep whose `[integrator]` is empty.

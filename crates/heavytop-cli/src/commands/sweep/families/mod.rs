@@ -8,4 +8,3 @@ pub(super) mod top_family;
 mod varied_number;
 mod system_gauge;
 pub(super) mod system_family;
-pub(super) mod any_family;

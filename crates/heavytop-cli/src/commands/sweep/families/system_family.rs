@@ -152,45 +152,6 @@ impl SystemFamily {
             }
         })
     }
-
-    /// Follows the member at these values of the axes, and returns the values of the columns of all observables.
-    ///
-    /// # Errors
-    /// If there is no such member, or it cannot be followed to the end.
-    pub(super) fn measure(
-        &self,
-        values: &[f64],
-        course: &Course,
-    ) -> Result<Vec<Option<f64>>, Error> {
-        let (system, start) = self.member(values, course.schedule.step)?;
-        let undefined = RefCell::new(None);
-        let columns = self.system.casimir_degrees();
-        let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
-        let mut gauge = SystemGauge::new(&system, (&start, wants_sizes), columns, &undefined);
-        let integrator = self.method.integrator(&system, &start)?;
-        let from = AnyState::from_slice(&start);
-        let measured = measure(&integrator, &from, &mut gauge, course, self.method())?;
-        drop(gauge);
-        if let Some(state) = undefined.into_inner() {
-            system.invariants(&state)?;
-        }
-        Ok(measured)
-    }
-
-    /// Measures how accurate the motion of the member at these values of the axes is.
-    ///
-    /// # Errors
-    /// If there is no such member.
-    pub(super) fn accuracy(
-        &self,
-        values: &[f64],
-        course: &Course,
-        going: &dyn Fn() -> bool,
-    ) -> Result<RunAccuracy, Error> {
-        let Schedule { step, steps } = course.schedule;
-        let (system, start) = self.member(values, step)?;
-        Ok(self.method.accuracy(&system, &start, (step, steps), going)?)
-    }
 }
 
 impl Family for SystemFamily {
@@ -257,5 +218,32 @@ impl Family for SystemFamily {
     fn casimirs(&self) -> Vec<String> {
         let shared = self.system.casimirs().iter().filter(|_| self.has_one_algebra);
         shared.map(ToString::to_string).collect()
+    }
+
+    fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error> {
+        let (system, start) = self.member(values, course.schedule.step)?;
+        let undefined = RefCell::new(None);
+        let columns = self.system.casimir_degrees();
+        let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
+        let mut gauge = SystemGauge::new(&system, (&start, wants_sizes), columns, &undefined);
+        let integrator = self.method.integrator(&system, &start)?;
+        let from = AnyState::from_slice(&start);
+        let measured = measure(&integrator, &from, &mut gauge, course, self.method())?;
+        drop(gauge);
+        if let Some(state) = undefined.into_inner() {
+            system.invariants(&state)?;
+        }
+        Ok(measured)
+    }
+
+    fn accuracy(
+        &self,
+        values: &[f64],
+        course: &Course,
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, Error> {
+        let Schedule { step, steps } = course.schedule;
+        let (system, start) = self.member(values, step)?;
+        Ok(self.method.accuracy(&system, &start, (step, steps), going)?)
     }
 }

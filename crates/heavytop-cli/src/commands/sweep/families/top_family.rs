@@ -123,37 +123,6 @@ impl TopFamily {
             if parameter.is_of_body() { self.body.normalise } else { self.initial.normalise };
         parameter.is_component() && (normalise || in_table)
     }
-
-    /// Follows the top at these values of the axes, and returns the values of the columns of all observables.
-    ///
-    /// # Errors
-    /// If there is no such top, or it cannot be followed to the end.
-    pub(super) fn measure(
-        &self,
-        values: &[f64],
-        course: &Course,
-    ) -> Result<Vec<Option<f64>>, Error> {
-        let (top, start, axes) = self.top(values, course.schedule.step)?;
-        let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
-        let mut gauge = TopGauge::new(&top, (&start, wants_sizes), axes);
-        let integrator = self.method.tangent_integrator(&top)?;
-        measure(&integrator, &AnyState::of(&start), &mut gauge, course, self.method())
-    }
-
-    /// Measures how accurate the motion of the top at these values of the axes is.
-    ///
-    /// # Errors
-    /// If there is no such top.
-    pub(super) fn accuracy(
-        &self,
-        values: &[f64],
-        course: &Course,
-        going: &dyn Fn() -> bool,
-    ) -> Result<RunAccuracy, Error> {
-        let Schedule { step, steps } = course.schedule;
-        let (top, start, _) = self.top(values, step)?;
-        Ok(self.method.accuracy(&top, &start, (step, steps), going)?)
-    }
 }
 
 impl Family for TopFamily {
@@ -205,6 +174,25 @@ impl Family for TopFamily {
 
     fn casimirs(&self) -> Vec<String> {
         Vec::new()
+    }
+
+    fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error> {
+        let (top, start, axes) = self.top(values, course.schedule.step)?;
+        let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
+        let mut gauge = TopGauge::new(&top, (&start, wants_sizes), axes);
+        let integrator = self.method.tangent_integrator(&top)?;
+        measure(&integrator, &AnyState::of(&start), &mut gauge, course, self.method())
+    }
+
+    fn accuracy(
+        &self,
+        values: &[f64],
+        course: &Course,
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, Error> {
+        let Schedule { step, steps } = course.schedule;
+        let (top, start, _) = self.top(values, step)?;
+        Ok(self.method.accuracy(&top, &start, (step, steps), going)?)
     }
 }
 

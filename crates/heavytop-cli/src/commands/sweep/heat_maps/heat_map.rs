@@ -61,7 +61,7 @@ pub(in crate::commands::sweep) fn heat_map(
     let cells: Vec<Option<f64>> =
         from_top.map(|index| scaled.get(index).copied().flatten()).collect();
 
-    let labels = plan.family.as_family().labels();
+    let labels = plan.family.labels();
     let ([first, second], [along, upward]) = (plan.axes.as_slice(), labels.as_slice()) else {
         return Err(Error::Figure("a heat map needs two axes".into()));
     };
@@ -91,14 +91,13 @@ pub(in crate::commands::sweep) fn heat_map(
 
 /// Returns the parts of the caption: how many members, by which method, and what all of them share.
 fn words(plan: &Plan) -> Vec<String> {
-    let (schedule, (formulation, scheme)) =
-        (plan.course.schedule, plan.family.as_family().method());
+    let (schedule, (formulation, scheme)) = (plan.course.schedule, plan.family.method());
     let mut parts = vec![
         format!("{} {}", plan.members, plan.nouns()),
         caption::method(formulation, scheme, schedule.step),
         format!("0 to {} s", number(schedule.end())),
     ];
-    parts.extend(plan.family.as_family().shared());
+    parts.extend(plan.family.shared());
     parts
 }
 
@@ -146,7 +145,7 @@ fn key(svg: &mut String, missing: usize) {
 /// Says in a map without values why it is blank.
 fn blank(svg: &mut String, frame: &Frame, column: &Column, (failed, plan): (u64, &Plan)) {
     let (x, y) = ((frame.left + frame.right) / 2.0, (frame.top + frame.bottom) / 2.0);
-    let [noun, nouns] = plan.family.as_family().nouns();
+    let [noun, nouns] = plan.family.nouns();
     let lines = [
         format!("No {noun} has a value of"),
         column.label.clone(),

@@ -8,11 +8,11 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 ///
 /// All members are tested: that takes far less time than their motions.
 pub(in crate::commands::sweep) fn impossible_members(plan: &Plan) -> Option<String> {
-    let family = plan.family.as_family();
+    let family = &plan.family;
     if !family.judges_members() {
         return None;
     }
-    let reason = |number: u64| plan.family.as_family().impossibility(&plan.parameters(number));
+    let reason = |number: u64| plan.family.impossibility(&plan.parameters(number));
     let found = (0..plan.members).into_par_iter().filter(|number| reason(*number).is_some());
     let found = found.map(|number| (number, 1_u64));
     let (first, count) = found.reduce_with(|one, other| (one.0.min(other.0), one.1 + other.1))?;
