@@ -251,6 +251,7 @@ fn energy_drift() -> Outcome {
 
 /// Casimirs of lift-free Gauss runs walk at random; those of a direct RK4 run go down steadily.
 #[test]
+#[ignore = "long"]
 fn growth_of_the_deviation_of_a_casimir() -> Outcome {
     let (top, start) = (tops::generic()?, tops::generic_start());
     let casimir = Invariant::VerticalSquared;

@@ -65,6 +65,7 @@ fn chaotic() -> Result<(HeavyTop, Se3Dual), Box<dyn Error>> {
 }
 
 #[test]
+#[ignore = "long"]
 fn the_spectrum_of_a_generic_top_is_positive_and_symmetric() -> Outcome {
     let (top, start) = chaotic()?;
     let gauss = LiftFree::new(RungeKutta::gauss(2)?, DualQuaternions, top);
@@ -132,6 +133,7 @@ fn the_sum_of_the_spectrum_of_an_explicit_method_is_not_zero() -> Outcome {
 
 /// Tangent vectors of an integrable top grow linearly: λ(t) ≤ (ln t + c)/t.
 #[test]
+#[ignore = "long"]
 fn the_exponent_of_an_integrable_top_vanishes() -> Outcome {
     let (top, start) = (tops::paper()?, tops::paper_start());
     let gauss = LiftFree::new(RungeKutta::gauss(3)?, DualQuaternions, top);

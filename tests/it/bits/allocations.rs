@@ -146,6 +146,7 @@ fn spiral(count: usize) -> Result<(ManyVortices, Points), Box<dyn Error>> {
 
 /// On several threads, seen from one of them.
 #[test]
+#[ignore = "long"]
 fn no_step_in_place_on_threads_allocates() -> Result<(), Box<dyn Error>> {
     let (vortices, start) = spiral(500)?;
     let midpoint = SphericalMidpoint::new(vortices);

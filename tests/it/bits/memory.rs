@@ -72,6 +72,7 @@ fn ratio<I: Start<f64, State: Vector, Momentum = Se3Dual>>(integrator: &I, h: f6
 
 /// The bounds are those of docs/audit.md, rounded up.
 #[test]
+#[ignore = "long"]
 fn guesses_save_iterations() {
     for (s, h, bound) in [
         (1, 0.02, 0.7),
@@ -161,6 +162,7 @@ fn resumes<I: Start<f64, State: Vector, Momentum = Se3Dual>>(
 }
 
 #[test]
+#[ignore = "long"]
 fn a_run_resumes_bit_for_bit() {
     let mut elsewhere = Vec::new();
     for (s, h) in [(1, 0.02), (4, 0.1), (8, 0.1)] {

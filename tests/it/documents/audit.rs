@@ -133,6 +133,7 @@ fn the_table_keeps_its_claims() {
 }
 
 #[test]
+#[ignore = "long"]
 fn what_is_measured_is_what_is_documented() {
     let methods = methods().unwrap();
     let measured: Vec<Row> = methods.par_iter().map(|method| method.row(SHORT).unwrap()).collect();

@@ -117,6 +117,7 @@ impl Check for PoissonDefects {
 
 /// {J_i, J_j} = Λ_ij∘J for one copy of 𝔤, for two, for 𝔤∗, and for two copies of the extensions, on both sides.
 #[test]
+#[ignore = "long"]
 fn clebsch_maps_of_all_algebras_are_poisson() {
     let mut check = PoissonDefects::default();
     assert_eq!(every_algebra(&mut check), 62);
@@ -225,6 +226,7 @@ fn half<const N: usize>(mu: &Covector<SVector<f64, N>>) -> f64 {
 /// The plain Clebsch map of one copy reaches an open set of momenta of every algebra without a centre, and no number of
 /// copies reaches a momentum that does not vanish on the centre.
 #[test]
+#[ignore = "long"]
 fn one_copy_reaches_an_open_set_if_there_is_no_centre() {
     let mut check = Centres::default();
     assert_eq!(every_algebra(&mut check), 62);

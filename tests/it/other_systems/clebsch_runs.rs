@@ -150,6 +150,7 @@ impl Check for Runs {
 
 /// No run stops, and all are right.
 #[test]
+#[ignore = "long"]
 fn runs_on_every_algebra_are_right_to_their_order() {
     let mut runs = Runs::new(1, 10.0, &[0.2]);
     assert_eq!(every_algebra(&mut runs), 62);
@@ -200,6 +201,7 @@ impl Check for Guarded {
 
 /// Runs that follow the motion lose neither h nor a Casimir.
 #[test]
+#[ignore = "long"]
 fn runs_that_are_right_are_not_refused() {
     assert_eq!(every_algebra(&mut Guarded), 62);
 }
@@ -222,6 +224,7 @@ const AFFINE: Entry = Entry {
 };
 
 #[test]
+#[ignore = "long"]
 fn z_does_not_grow_along_fibres_that_are_not_compact() {
     let mut runs = Runs::new(3, 40.0, &[0.1]);
     // Solvable algebras on which z grew to 10²⁰ within this time, and the affine algebra.
@@ -236,6 +239,7 @@ fn z_does_not_grow_along_fibres_that_are_not_compact() {
 /// After t = 30 some coordinates of z are round-off, each alone in its block. Newton's iterations go a thousand times their
 /// sizes to solutions that are those of short steps in all that matters.
 #[test]
+#[ignore = "long"]
 fn coordinates_that_are_round_off_do_not_stop_a_run() {
     let mut runs = Runs::new(3, 60.0, &[0.2, 0.1]);
     runs.of::<3>(THREE.iter().find(|entry| entry.name == "A3,2").unwrap());
@@ -344,6 +348,7 @@ fn coordinates_that_decay_while_others_grow_keep_their_digits() {
 /// Y keeps its digits until it underflows, while z stays of the size of √c: the map does not depend on some of its
 /// coordinates, which would grow as 1/√Y.
 #[test]
+#[ignore = "long"]
 fn a_coordinate_decays_through_all_numbers() {
     let algebra = StructureConstants::<2>::new(|i, j, k| match (i, j, k) {
         (0, 1, 1) => 1.0,

@@ -38,6 +38,7 @@ fn obeys<V: State<Scalar = f64>>(
 }
 
 #[test]
+#[ignore = "long"]
 fn integrators_of_spins_and_vortices() -> Outcome {
     let vortices = ManyVortices::new(vec![0.2; 12])?;
     let momenta = [0, 40].map(|n| vortices.momentum((n..n + 12).map(direction)));

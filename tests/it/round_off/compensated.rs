@@ -61,6 +61,7 @@ fn gains(
 }
 
 #[test]
+#[ignore = "long"]
 fn compensation_makes_round_off_smaller_in_every_formulation() -> Result<(), Box<dyn Error>> {
     let top = tops::generic()?;
     for scheme in [RungeKutta::implicit_midpoint(), RungeKutta::gauss(2)?] {
@@ -143,6 +144,7 @@ fn drifts(integrator: &impl Start<Momentum = Se3Dual>) -> Result<[f64; 2], Box<d
 /// The sums of three random walks of this length are 4e-15 and 6e-15 long (root mean squares over 48 starts); the
 /// bounds are three times as much.
 #[test]
+#[ignore = "long"]
 fn compensated_steps_at_long_steps_do_not_drift() -> Result<(), Box<dyn Error>> {
     let midpoint = RungeKutta::implicit_midpoint();
     let collective = Collective::new(midpoint, SpinorRealisation, tops::generic()?);

@@ -161,6 +161,7 @@ fn dynamics(what: &str, method: SystemMethod, system: &FormulaSystem, start: &[f
 
 /// All Casimirs of these systems are at most quadratic, so that a Gauss method conserves them in every formulation.
 #[test]
+#[ignore = "long"]
 fn integrators_of_systems_of_any_dimension() {
     let mut kinds = Vec::new();
     for system in systems() {

@@ -192,6 +192,7 @@ fn other_levels_choose_another_orbit_or_are_refused() {
 }
 
 #[test]
+#[ignore = "long"]
 fn what_is_no_section_is_refused() {
     type E = FormulaSystemError;
     let (body, state) = (body(), [1.0, 0.5, 0.3, 0.6, 0.0, 0.8]);

@@ -20,6 +20,7 @@ fn rows(csv: &str) -> Vec<(String, String, Vec<f64>)> {
 }
 
 #[test]
+#[ignore = "long"]
 fn a_short_comparison_has_all_methods_and_says_which_to_take() {
     let folder = Folder::new();
     folder.write("a.toml", "integrator = { step = 0.1, end = 1 }\nbody.inertia = [3.0, 2.0, 1.5]");
@@ -76,6 +77,7 @@ fn a_short_comparison_has_all_methods_and_says_which_to_take() {
 
 /// A top of the laboratory in another unit of mass: the numbers are others, the motion and its errors are not.
 #[test]
+#[ignore = "long"]
 fn errors_do_not_depend_on_the_unit_of_mass() {
     let compared = |unit: f64| {
         let folder = Folder::new();
@@ -156,6 +158,7 @@ fn what_cannot_be_written_is_found_before_there_is_any_work() {
 }
 
 #[test]
+#[ignore = "long"]
 fn the_interval_ends_where_asked() {
     let folder = Folder::new();
     let compare = |end: &str| {

@@ -62,6 +62,7 @@ fn the_paper_is_reproduced() {
 }
 
 #[test]
+#[ignore = "long"]
 fn the_summary_in_json_is_that_of_the_table() {
     let folder = Folder::new();
     let run = folder.heavytop(&["reproduce", "--out", ".", "--end", "1", "--json"]);
@@ -76,6 +77,7 @@ fn the_summary_in_json_is_that_of_the_table() {
 }
 
 #[test]
+#[ignore = "long"]
 fn trajectories_hold_every_step_of_every_integrator() {
     let folder = Folder::new();
     let run = folder.heavytop(&["reproduce", "--out", "a/b", "--end", "1", "--step", "0.1"]);
@@ -90,6 +92,7 @@ fn trajectories_hold_every_step_of_every_integrator() {
 }
 
 #[test]
+#[ignore = "long"]
 fn figures_need_no_font_and_have_the_paper_s_colours() {
     let folder = Folder::new();
     assert_eq!(folder.heavytop(&["reproduce", "--out", ".", "--end", "2"]).code(), 0);

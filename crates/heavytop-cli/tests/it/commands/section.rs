@@ -14,6 +14,7 @@ fn state(row: &[f64]) -> Se3Dual {
 }
 
 #[test]
+#[ignore = "long"]
 fn the_points_are_on_level_and_surface_and_on_curves_of_kovalevskaya() {
     let folder = Folder::new();
     folder.write("a.toml", SMALL);
@@ -53,6 +54,7 @@ fn the_points_are_on_level_and_surface_and_on_curves_of_kovalevskaya() {
 }
 
 #[test]
+#[ignore = "long"]
 fn no_bit_depends_on_the_number_of_threads() {
     let folder = Folder::new();
     folder.write("a.toml", SMALL);
@@ -89,6 +91,7 @@ fn surface_direction_and_integrator_are_those_of_the_configuration() {
 /// A surface may be the angle of Γ about an axis: it is passed at its level up to turns of 2π, and never at the jump of
 /// atan2. The plane has the inclination and its momentum.
 #[test]
+#[ignore = "long"]
 fn a_surface_of_a_top_may_be_an_angle() {
     let folder = Folder::new();
     let level = std::f64::consts::PI;
@@ -203,6 +206,7 @@ fn a_step_that_fails_ends_the_run_and_keeps_what_there_is() {
 }
 
 #[test]
+#[ignore = "long"]
 fn parquet_has_the_numbers_of_the_csv_and_the_configuration_makes_them_again() {
     let folder = Folder::new();
     // The file contains keys that the configuration leaves out: [integrator] and the energy.
@@ -262,6 +266,7 @@ fn what_integrator_leaves_out_is_as_without_it() {
 }
 
 #[test]
+#[ignore = "long"]
 #[cfg(target_os = "linux")]
 fn without_memory_a_section_fails_and_goes_on_once_there_is_some() {
     let folder = Folder::new();

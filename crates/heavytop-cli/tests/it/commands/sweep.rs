@@ -37,6 +37,7 @@ pub fn failures(rows: &[Row]) -> Vec<Option<String>> {
 }
 
 #[test]
+#[ignore = "long"]
 fn no_bit_depends_on_the_number_of_threads_and_maps_are_drawn() {
     let folder = Folder::new();
     folder.write("a.toml", GRID);
@@ -66,6 +67,7 @@ fn no_bit_depends_on_the_number_of_threads_and_maps_are_drawn() {
 
 /// The last row of `simulate` is the final state of the sweep.
 #[test]
+#[ignore = "long"]
 fn a_top_ends_where_simulate_ends() {
     let folder = Folder::new();
     folder.write("a.toml", GRID);
@@ -87,6 +89,7 @@ fn a_top_ends_where_simulate_ends() {
 }
 
 #[test]
+#[ignore = "long"]
 fn tiles_that_are_there_are_used_and_torn_ones_made_again() {
     let folder = Folder::new();
     folder.write("a.toml", GRID);
@@ -119,6 +122,7 @@ fn tiles_that_are_there_are_used_and_torn_ones_made_again() {
 
 /// The table has one top more than a group of rows; the test checks what is written, not the tops.
 #[test]
+#[ignore = "long"]
 fn the_table_goes_by_groups_of_rows() {
     let folder = Folder::new();
     let text = |from: f64, count: u32| {
@@ -276,6 +280,7 @@ fn integrator(folder: &Folder, file: &str) -> String {
 }
 
 #[test]
+#[ignore = "long"]
 fn what_integrator_leaves_out_is_as_without_it() {
     let folder = Folder::new();
     let tops = "sweep.axes = [{ parameter = 'body.mass', from = 1, to = 2, count = 2 }]";

@@ -84,6 +84,7 @@ fn a_configuration_comes_from_standard_input() {
 }
 
 #[test]
+#[ignore = "long"]
 fn threads_are_accepted_and_change_no_bit() {
     let folder = Folder::new();
     let sweep = |threads: &str, out: &str| {

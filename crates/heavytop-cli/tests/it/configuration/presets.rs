@@ -18,6 +18,7 @@ fn last_and_warning(folder: &Folder, arguments: &[&str]) -> (Vec<f64>, String) {
 }
 
 #[test]
+#[ignore = "long"]
 fn the_multibody_benchmark_has_its_height() {
     let folder = Folder::new();
     let preset = ["--preset", "multibody-benchmark"];

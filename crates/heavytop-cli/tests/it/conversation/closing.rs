@@ -3,6 +3,7 @@
 use crate::program::Folder;
 
 #[test]
+#[ignore = "long"]
 fn a_run_ends_with_a_line_about_its_file() {
     let folder = Folder::new();
     let end = ["--set", "integrator.end=1", "--set", "output.every=7"];

@@ -22,6 +22,7 @@ fn drawn(said: &str) -> Vec<String> {
 }
 
 #[test]
+#[ignore = "long"]
 fn a_bar_shows_from_the_first_second_on_and_fits_the_terminal() {
     let heavytop = env!("CARGO_BIN_EXE_heavytop");
     let long = "--set integrator.scheme=gauss-16 --set integrator.end=1e4 --set output.every=1000";

@@ -106,6 +106,7 @@ fn assert_input_is_kept(run: &Finished, folder: &Folder, before: &crate::writing
 }
 
 #[test]
+#[ignore = "long"]
 fn no_output_is_an_input_by_any_link() {
     for files in &FILES {
         for name in files.names() {
@@ -198,6 +199,7 @@ fn a_file_that_the_program_has_not_written_is_not_replaced() {
 
 /// By force any file is replaced. An empty one has nothing to lose.
 #[test]
+#[ignore = "long"]
 fn force_replaces_a_file_and_an_empty_one_needs_none() {
     for writing in WRITING.iter().filter(|writing| writing.repeats) {
         for (text, more) in [("my notes\n", &["--force"][..]), ("", &[])] {
@@ -214,6 +216,7 @@ fn force_replaces_a_file_and_an_empty_one_needs_none() {
 
 /// Files of other kinds are not of the kind of the output, though the program has written them.
 #[test]
+#[ignore = "long"]
 fn a_file_of_another_kind_is_not_replaced() {
     let of = |name: &str| -> &Writing {
         WRITING
@@ -246,6 +249,7 @@ fn a_file_of_another_kind_is_not_replaced() {
 
 /// In folders, also in that of unfinished parts, only files with the names of the command's own are touched.
 #[test]
+#[ignore = "long"]
 fn other_files_in_the_folders_of_a_command_stay() {
     for command in ["section", "sweep"] {
         let (folder, _) = folder_with(&format!("{command}.partial/x"));

@@ -30,6 +30,7 @@ fn invariants(row: &[f64]) -> [f64; 3] {
 }
 
 #[test]
+#[ignore = "long"]
 fn the_points_are_on_the_level_and_on_the_surface() {
     let folder = Folder::new();
     folder.write("body.toml", BODY);
@@ -68,6 +69,7 @@ fn the_points_are_on_the_level_and_on_the_surface() {
 }
 
 #[test]
+#[ignore = "long"]
 fn given_states_are_followed_to_the_surface() {
     let folder = Folder::new();
     let states = "axes = ['Pi1 + Pi2', 'Pi3']\nstates = [{ Pi = [1, 0.5, 0.3], Gamma = [0.6, 0, 0.8] }, \
@@ -93,6 +95,7 @@ fn given_states_are_followed_to_the_surface() {
 
 /// An angle as a surface: each level is passed once per turn, and the jump of atan2 does not count.
 #[test]
+#[ignore = "long"]
 fn a_surface_may_be_an_angle_and_a_state_on_it_is_its_first_crossing() {
     let folder = Folder::new();
     // A Lagrange top that turns about the vertical and about its axis.
@@ -149,6 +152,7 @@ step = 0.05
 }
 
 #[test]
+#[ignore = "long"]
 fn an_interrupted_section_of_a_system_continues_byte_for_byte() {
     use heavytop_cli::commands::section::section;
     use heavytop_cli::configuration::Config;
@@ -183,6 +187,7 @@ fn a_dry_run_of_a_section_of_a_system_tells_the_rows() {
 }
 
 #[test]
+#[ignore = "long"]
 fn wrong_sections_of_systems_are_refused_and_nothing_is_written() {
     let folder = Folder::new();
     folder.write("body.toml", BODY);

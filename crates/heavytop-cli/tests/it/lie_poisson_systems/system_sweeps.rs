@@ -68,6 +68,7 @@ fn deviation((header, table): &(Vec<String>, Vec<Vec<f64>>), name: &str) -> f64 
 }
 
 #[test]
+#[ignore = "long"]
 fn a_row_has_the_bits_of_simulate() {
     let folder = Folder::new();
     for formulation in ["collective", "reduced", "direct"] {
@@ -129,6 +130,7 @@ fn a_top_as_a_system_has_the_indicators_of_the_top() {
 }
 
 #[test]
+#[ignore = "long"]
 fn no_bit_depends_on_the_number_of_threads_or_on_an_interruption() {
     let folder = Folder::new();
     folder.write("a.toml", BODY);
@@ -263,6 +265,7 @@ fn members_that_fail_say_so_and_harm_no_other() {
 }
 
 #[test]
+#[ignore = "long"]
 fn a_dry_run_and_a_summary_tell_of_runs() {
     let folder = Folder::new();
     folder.write("a.toml", BODY);

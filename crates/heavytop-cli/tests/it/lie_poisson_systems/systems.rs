@@ -315,6 +315,7 @@ fn structure_constants_come_from_a_file_beside_the_configuration() {
 
 /// The systems in the help run as they are written there, and so do those of the guide.
 #[test]
+#[ignore = "long"]
 fn the_systems_of_the_help_and_of_the_guide_run() {
     let folder = Folder::new();
     let help = folder.heavytop(&["simulate", "--help"]).stdout();

@@ -22,6 +22,7 @@ fn simulate(folder: &Folder, config: &str, more: &[&str]) -> (Value, String) {
 /// Gauss's method of order 8 at 15 rad a step, and the midpoint rule at 0.15 rad a step over 20 s, conserve the invariants
 /// and are wrong in the first digit. A system by a formula is measured by the same angle.
 #[test]
+#[ignore = "long"]
 fn motions_that_are_wrong_are_warned_of_and_right_ones_are_not() {
     let folder = Folder::new();
     let top = |scheme: &str, step: &str, end: &str| {
@@ -87,6 +88,7 @@ fn pages_and_sweeps_are_warned_of_too() {
 /// A section has the estimate of some of its orbits, in its summary, its closing lines and its table; long steps are
 /// warned of.
 #[test]
+#[ignore = "long"]
 fn sections_have_the_estimate_too() {
     let folder = Folder::new();
     let section =
@@ -270,6 +272,7 @@ fn what_is_zero_but_for_rounding_is_not_wrong() {
 
 /// Where no scheme is named, every command takes the same.
 #[test]
+#[ignore = "long"]
 fn the_scheme_that_is_not_named_is_the_same_in_every_command() {
     let folder = Folder::new();
     folder.write("system.toml", BODY);

@@ -30,6 +30,7 @@ fn a_dry_run_says_what_a_run_would_write_and_writes_nothing() {
 }
 
 #[test]
+#[ignore = "long"]
 fn dry_runs_of_sections_and_sweeps_say_what_they_would_write_and_write_nothing() {
     let section = ["--set", "section.starts=12", "--set", "section.crossings=100"];
     let sweep = ["--set", "integrator.end=2", "--set", "sweep.observables=[\"final-state\"]"];

@@ -106,6 +106,7 @@ fn npz_has_the_numbers_of(configuration: &str) -> Vec<u8> {
 }
 
 #[test]
+#[ignore = "long"]
 fn parquet_has_the_numbers_of_the_csv_by_every_kind_of_method() {
     for (formulation, scheme) in METHODS {
         parquet_has_the_numbers_of(&by(formulation, scheme));

@@ -43,6 +43,7 @@ fn assert_same_bytes(writing: &Writing, numbers: &[&str]) {
 }
 
 #[test]
+#[ignore = "long"]
 fn the_commands_with_threads_write_the_same_bytes_on_any_number_of_them() {
     for writing in WRITING.iter().filter(|w| ["section", "sweep"].contains(&w.arguments[0])) {
         assert_same_bytes(writing, &["1", "2", "3", "8"]);
@@ -50,6 +51,7 @@ fn the_commands_with_threads_write_the_same_bytes_on_any_number_of_them() {
 }
 
 #[test]
+#[ignore = "long"]
 fn the_other_commands_write_the_same_bytes_again() {
     for writing in &WRITING {
         // `compare`, whose files hold times, takes seconds.

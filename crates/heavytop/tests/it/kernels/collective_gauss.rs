@@ -115,6 +115,7 @@ fn a_step_with_slow_sweeps_is_solved_to_round_off() {
 }
 
 #[test]
+#[ignore = "long"]
 fn over_ten_thousand_steps_the_difference_is_grown_round_off() {
     for (stages, step) in [(4, 0.05), (6, 0.1), (8, 0.1), (8, 0.25)] {
         for gauss in everywhere(&kernel(stages, paper_top())) {
@@ -149,6 +150,7 @@ fn every_instruction_set_agrees_and_none_leaves_steps_to_the_general_method() {
 }
 
 #[test]
+#[ignore = "long"]
 fn casimirs_over_a_hundred_thousand_steps() {
     let drift = |gauss: &CollectiveGauss, top: &HeavyTop, of: [Invariant; 2], steps: usize| {
         let run = gauss.trajectory(&paper_start(), 0.1).unwrap().take(steps + 1);

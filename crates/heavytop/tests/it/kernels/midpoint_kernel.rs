@@ -58,6 +58,7 @@ fn advance<B: BatchIntegrator>(
 }
 
 #[test]
+#[ignore = "long"]
 fn tops_move_as_any_system_does() {
     // The second top is chaotic: the effect of its start is lost after some hundred units of time.
     let runs = tops().into_iter().zip([10_000, 1_500, 10_000, 10_000]);

@@ -118,6 +118,7 @@ impl Task for Vertical {
 }
 
 #[test]
+#[ignore = "long"]
 fn the_attitude_turns_the_vertical_to_gamma() {
     every_formulation(&Vertical);
 }

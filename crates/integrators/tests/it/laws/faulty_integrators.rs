@@ -175,6 +175,7 @@ impl<I: Integrator> Integrator for Deaf<I> {
 
 /// What an implicit method remembers leaves no trace in the bits of most steps, but it saves iterations.
 #[test]
+#[ignore = "long"]
 fn an_integrator_that_does_not_forget_is_seen_at_every_step() {
     for stages in 1..=4 {
         let gauss = || {

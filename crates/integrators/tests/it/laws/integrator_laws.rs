@@ -119,6 +119,7 @@ where
 }
 
 #[test]
+#[ignore = "long"]
 fn schemes_applied_to_the_equations() {
     let (z, direct) = (start(), |scheme| Direct::new(scheme, field()));
     integrator_laws(direct(RungeKutta::rk4()), &[z, -z]);
@@ -131,6 +132,7 @@ fn schemes_applied_to_the_equations() {
 }
 
 #[test]
+#[ignore = "long"]
 fn collective_integrators_with_and_without_a_lift() {
     let gauss = || RungeKutta::gauss(2).unwrap();
     let collective = || Collective::new(gauss(), HOPF, Automatic(Body));

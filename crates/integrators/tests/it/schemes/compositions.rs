@@ -4,6 +4,7 @@ use crate::support::*;
 use collective_integrators::*;
 
 #[test]
+#[ignore = "long"]
 fn compositions_of_the_midpoint_rule_keep_their_promises() {
     let sets: [(&str, Substeps); 9] = [
         ("Yoshida 4", Substeps::yoshida4()),

@@ -10,6 +10,7 @@ fn semiexplicit(substeps: &Substeps) -> RungeKutta {
 }
 
 #[test]
+#[ignore = "long"]
 fn semiexplicit_methods_keep_their_promises() {
     let once = Substeps::new(&[1.0]).unwrap();
     let cases: [(&str, Substeps); 4] = [
