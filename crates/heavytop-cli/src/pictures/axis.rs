@@ -2,8 +2,6 @@
 
 use super::lettering::width;
 use super::numerals::{exact, power_of_ten};
-use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
-use std::ops::Range;
 
 /// The largest number of ticks.
 const MOST_TICKS: usize = 100;
@@ -133,30 +131,6 @@ impl Axis {
     }
 }
 
-impl Ranged for Axis {
-    type FormatOption = NoDefaultFormatting;
-    type ValueType = f64;
-
-    fn map(&self, value: &f64, (start, end): (i32, i32)) -> i32 {
-        start + (self.along(*value) * f64::from(end - start)).round() as i32
-    }
-
-    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        let ticks = self.labels().map(|(tick, _)| tick);
-        if hint.weight().allow_light_points() { Vec::new() } else { ticks.collect() }
-    }
-
-    fn range(&self) -> Range<f64> {
-        self.from..self.to
-    }
-}
-
-impl ValueFormatter<f64> for Axis {
-    fn format_ext(&self, tick: &f64) -> String {
-        self.labels().find(|(other, _)| other == tick).map_or_else(String::new, |(_, l)| l.into())
-    }
-}
-
 /// Returns a range around all finite numbers, with room below and above; from 0 to 1 if there are none.
 fn surroundings(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let finite = values.filter(|value| value.is_finite());
@@ -222,7 +196,7 @@ mod tests {
     fn ticks_are_round_and_inside() {
         let axis = Axis::new(0.0, 100.0, 4);
         assert!(axis.labels().map(|(tick, _)| tick).eq([0.0, 20.0, 40.0, 60.0, 80.0, 100.0]));
-        assert_eq!(axis.format_ext(&20.0), "20");
+        assert_eq!(axis.labels().nth(1), Some((20.0, "20")));
         assert_eq!(axis.title("t (s)"), "t (s)");
         let axis = Axis::new(-0.013, 0.011, 4);
         assert_eq!(labels(&axis), ["−0.010", "−0.005", "0.000", "0.005", "0.010"]);

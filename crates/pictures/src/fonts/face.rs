@@ -1,5 +1,8 @@
 //! A face of a font: glyphs of characters, their widths, and the kerning of pairs.
 //!
+//! Libraries for every font are not maintained (ttf-parser, RUSTSEC-2026-0192) or take a minute to compile (skrifa); the
+//! two files that are read here need few of their tables.
+//!
 //! Source: *OpenType specification*, the tables of these names.
 
 use super::bytes::Bytes;

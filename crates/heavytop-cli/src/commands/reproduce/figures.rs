@@ -4,7 +4,6 @@ use super::record::{QUANTITIES, Record};
 use crate::pictures::caption;
 use heavytop::Invariant;
 use heavytop::methods::{Formulation, Method, SchemeName};
-use plotters::style::RGBColor;
 
 /// A figure: one conserved quantity along several runs.
 #[derive(Clone, Debug)]
@@ -25,7 +24,7 @@ pub(super) struct Curve<'a> {
     /// The name of the curve.
     pub name: String,
     /// The colour of the curve, named as in the paper's captions.
-    pub colour: RGBColor,
+    pub colour: &'static str,
     /// The dashes and gaps, in units of 0.01 mm; empty for a whole line.
     pub dashes: &'static str,
     /// The points (t, quantity).
@@ -42,16 +41,16 @@ impl Curve<'_> {
 
 // The colours of Okabe and Ito, which readers with all kinds of colour vision tell apart, and a gray. Dashes tell the
 // curves apart in black and white. Source: M. Okabe & K. Ito, *Color Universal Design* (2008).
-const BLUE: RGBColor = RGBColor(0, 114, 178);
-const GREEN: RGBColor = RGBColor(0, 158, 115);
-const RED: RGBColor = RGBColor(213, 94, 0);
-const GRAY: RGBColor = RGBColor(85, 85, 85);
+const BLUE: &str = "#0072b2";
+const GREEN: &str = "#009e73";
+const RED: &str = "#d55e00";
+const GRAY: &str = "#555555";
 
 const WHOLE: &str = "";
 const DASHED: &str = "150 60";
 const DOTTED: &str = "35 35";
 
-type Line = (Formulation, SchemeName, RGBColor, &'static str);
+type Line = (Formulation, SchemeName, &'static str, &'static str);
 
 /// The curves of Fig. 1. Source: its caption in Ohsawa 2019.
 const FIGURE_1: [Line; 3] = [

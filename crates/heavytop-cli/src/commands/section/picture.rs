@@ -165,7 +165,6 @@ mod tests {
     }
 
     #[test]
-    #[ignore = "long"]
     fn labels_are_apart_and_differ_at_every_scale() {
         for size in [1e-20, 2e-4, 1e-3, 1.0, 1e4, 1e20] {
             for surface in ["Gamma3", "Pi1"] {

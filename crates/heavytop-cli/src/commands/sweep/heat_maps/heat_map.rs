@@ -190,7 +190,6 @@ mod tests {
     const VALUES: [f64; 9] = [0.1, 0.2, 0.9, 0.4, 0.5, -0.7, 0.3, 0.8, 0.6];
 
     #[test]
-    #[ignore = "long"]
     fn labels_are_apart_and_cut_at_no_scale() {
         for size in [1e-20, 2e-4, 1.0, 1e20] {
             for observable in ["final-state", "megno", "invariant-drift"] {
