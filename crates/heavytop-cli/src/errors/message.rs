@@ -69,7 +69,7 @@ mod tests {
     use std::path::PathBuf;
 
     fn step() -> IntegrationError {
-        IntegrationError { step: 5, time: 0.5, source: StepError::NotFinite }
+        IntegrationError { step: 5, time: 0.5, source: StepError::StepSize { step: f64::INFINITY } }
     }
 
     fn refused() -> io::Error {
@@ -79,7 +79,7 @@ mod tests {
     /// Returns an error of each kind with a cause, and the text that is printed for it.
     fn errors() -> Vec<(Error, &'static str)> {
         let path = || PathBuf::from("a.toml");
-        let not_finite = "step 5 at t = 0.5: the state is not finite after the step";
+        let too_long = "step 5 at t = 0.5: the step size must be finite, it is inf";
         let written = || Error::Write { path: path(), source: refused() };
         let rows = CheckpointError::Rows { path: "a.csv".into(), source: refused() };
         let top = || TopError::NotPositive { name: "mass", value: -1.0 };
@@ -104,7 +104,7 @@ mod tests {
             (lift.into(), "[initial] no lift: Γ must be different from 0 (|Γ| = 0e0)"),
             (
                 RunError::Integration(step()).into(),
-                "[initial] step 5 at t = 0.5: the state is not finite after the step",
+                "[initial] step 5 at t = 0.5: the step size must be finite, it is inf",
             ),
             (
                 MethodError::Scheme {
@@ -121,11 +121,11 @@ mod tests {
             (written(), "cannot write a.toml: not allowed"),
             (
                 integration(step()),
-                "direct, rk4: step 5 at t = 0.5: the state is not finite after the step",
+                "direct, rk4: step 5 at t = 0.5: the step size must be finite, it is inf",
             ),
             (
                 Error::Timed { name: "rk4".into(), source: step() },
-                "rk4: step 5 at t = 0.5: the state is not finite after the step",
+                "rk4: step 5 at t = 0.5: the step size must be finite, it is inf",
             ),
             (
                 SectionError::Empty { energy: 1.0, least: 2.0 }.into(),
@@ -138,10 +138,10 @@ mod tests {
                     start: 2,
                     source: step().into(),
                 },
-                "direct, rk4, start 2: step 5 at t = 0.5: the state is not finite after the step",
+                "direct, rk4, start 2: step 5 at t = 0.5: the step size must be finite, it is inf",
             ),
             (SweepError::NoAxes.into(), "[sweep] axes must have at least one axis"),
-            (Error::Tangent(step().into()), not_finite),
+            (Error::Tangent(step().into()), too_long),
             (Error::Tile { path: path(), source: refused() }, "cannot read a.toml: not allowed"),
             (
                 Error::Resumable { resume: "--resume".into(), source: Box::new(written()) },
@@ -149,7 +149,7 @@ mod tests {
             ),
             (
                 Error::Kept { partial: "a.partial".into(), source: Box::new(integration(step())) },
-                "direct, rk4: step 5 at t = 0.5: the state is not finite after the step; what was computed until then is in a.partial",
+                "direct, rk4: step 5 at t = 0.5: the step size must be finite, it is inf; what was computed until then is in a.partial",
             ),
         ]
     }

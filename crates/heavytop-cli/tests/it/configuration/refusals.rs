@@ -245,17 +245,14 @@ fn a_motion_to_infinity_ends_with_an_error_that_says_so() {
     let folder = Folder::new();
     let system = "system = { algebra = 'sl(2)', hamiltonian = 'alpha^2/2 + 0.3*beta*gamma + 0.1*beta^2', \
                   initial = { alpha = 0.3, beta = 0.5, gamma = -0.2 } }\n";
-    for (formulation, message) in [
-        ("direct", "the motion goes to infinity there"),
-        ("collective", "the state is not finite after the step"),
-    ] {
+    for formulation in ["direct", "collective"] {
         let integrator =
             format!("integrator = {{ formulation = '{formulation}', step = 0.25, end = 1500 }}");
         folder.write("a.toml", &format!("{system}{integrator}"));
         let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv", "--force"]);
         let said = run.stderr();
         assert_eq!(run.code(), 1, "{said}");
-        assert!(said.contains(message), "{said}");
+        assert!(said.contains("the motion goes to infinity there"), "{said}");
         assert!(numbers(&folder.read("a.csv.partial")).1.len() > 4000);
     }
 }
