@@ -32,8 +32,14 @@ pub fn bits<V: Vector<Scalar = f64>>(v: &V) -> Vec<u64> {
 pub type State<I> = <I as Integrator<f64>>::State;
 pub type Failures = Vec<(usize, u64)>;
 
+/// The bits of all members, and which of them failed at which step.
+type Ends = (Vec<Vec<u64>>, Failures);
+
+/// Makes the steps of all members, on an instruction set.
+type Advance<'a, M> = dyn Fn(InstructionSet, &[M]) -> Ends + 'a;
+
 /// Returns the bits of all members after some steps over the SIMD lanes T, and which member failed at which step.
-fn advanced<I, T>(integrator: I, members: &[State<I>], h: f64, n: u64) -> (Vec<Vec<u64>>, Failures)
+fn advanced<I, T>(integrator: I, members: &[State<I>], h: f64, n: u64) -> Ends
 where
     I: Integrator<f64, State: Vector> + Integrator<T, State: Vector> + Sync,
     T: Lanes,
@@ -42,13 +48,7 @@ where
 }
 
 /// Returns the same in the registers of an instruction set.
-fn in_registers<I>(
-    integrator: I,
-    set: InstructionSet,
-    members: &[State<I>],
-    h: f64,
-    n: u64,
-) -> (Vec<Vec<u64>>, Failures)
+fn in_registers<I>(integrator: I, set: InstructionSet, members: &[State<I>], h: f64, n: u64) -> Ends
 where
     I: Integrator<f64, State: Vector>,
     Laned<I>: BatchIntegrator<Member = State<I>>,
@@ -56,7 +56,7 @@ where
     ends(&Laned::new(integrator).with_instructions(set).unwrap(), members, h, n)
 }
 
-fn ends<B>(batch: &B, members: &[B::Member], h: f64, n: u64) -> (Vec<Vec<u64>>, Failures)
+fn ends<B>(batch: &B, members: &[B::Member], h: f64, n: u64) -> Ends
 where
     B: BatchIntegrator<Member: Vector<Scalar = f64>>,
 {
@@ -101,43 +101,70 @@ where
     (ends, failures, iterations)
 }
 
-/// Tests that an integrator of tops returns the bits of its trajectories in all lanes of all widths
-/// that this processor has; `$differing` says whether members must differ in their iterations, the
-/// negative control.
+/// Tests that an integrator of tops returns the bits of its trajectories in the registers of every instruction set, and in
+/// each of the `others` ways. `differing` says whether members must differ in their iterations, the negative control.
+fn same_bits<I>(
+    integrator: &I,
+    (h, steps, differing): (f64, u64, bool),
+    others: &[&Advance<'_, State<I>>],
+) where
+    I: Start<f64, State: Vector, Momentum = Se3Dual> + Clone,
+    Laned<I>: BatchIntegrator<Member = State<I>>,
+{
+    let start = |mu: &Se3Dual| integrator.start(mu).unwrap();
+    let members: Vec<_> = momenta(21).iter().map(start).collect();
+    let (ends, failures, iterations) = alone(integrator, &members, h, steps);
+    assert_eq!(iterations.len() > 1, differing, "{iterations:?}");
+    // Some members do not fail.
+    assert!(failures.len() < members.len() / 2, "{failures:?}");
+    for set in InstructionSet::available() {
+        let registers = in_registers(integrator.clone(), set, &members, h, steps);
+        let others = others.iter().map(|other| other(set, &members));
+        for (which, (lanes, reported)) in [registers].into_iter().chain(others).enumerate() {
+            assert_eq!(reported, failures, "{set} {which}");
+            for (i, (lane, alone)) in lanes.iter().zip(&ends).enumerate() {
+                assert_eq!(lane, alone, "{set} {which} member {i}");
+            }
+        }
+    }
+}
+
+/// Makes tests of [`same_bits`] in registers of the width that suits each instruction set.
+macro_rules! same_bits_in_registers {
+    ($($name:ident: $type:ty = $integrator:expr, $h:expr, $steps:expr, $differing:expr;)*) => {$(
+        #[test]
+        fn $name() {
+            let integrator: $type = $integrator;
+            same_bits(&integrator, ($h, $steps, $differing), &[]);
+        }
+    )*};
+}
+
+/// Makes tests of [`same_bits`] in all lanes of all widths that this processor has.
 macro_rules! same_bits_at_every_width {
     ($($name:ident: $type:ty = $integrator:expr, $h:expr, $steps:expr, $differing:expr;)*) => {$(
         #[test]
         fn $name() {
             struct Task<'a>(&'a $type, &'a [State<$type>]);
             impl LaneTask for Task<'_> {
-                type Output = (Vec<Vec<u64>>, Failures);
+                type Output = Ends;
                 fn run<T: Lanes>(self) -> Self::Output {
                     advanced::<$type, T>(self.0.clone(), self.1, $h, $steps)
                 }
             }
             let integrator: $type = $integrator;
-            let start = |mu: &Se3Dual| Start::<f64>::start(&integrator, mu).unwrap();
-            let members: Vec<_> = momenta(21).iter().map(start).collect();
-            let (ends, failures, iterations) = alone(&integrator, &members, $h, $steps);
-            assert_eq!(iterations.len() > 1, $differing, "{iterations:?}");
-            // Some members do not fail.
-            assert!(failures.len() < members.len() / 2, "{failures:?}");
-            for set in InstructionSet::available() {
-                for width in Width::ALL {
-                    let task = Task(&integrator, &members);
-                    let (lanes, reported) = dispatch(task, set, width).unwrap();
-                    assert_eq!(reported, failures);
-                    for (i, (lane, alone)) in lanes.iter().zip(&ends).enumerate() {
-                        assert_eq!(lane, alone, "{set} {width:?} member {i}");
-                    }
+            let of_width = |width: Width| {
+                let integrator = &integrator;
+                move |set: InstructionSet, members: &[State<$type>]| {
+                    dispatch(Task(integrator, members), set, width).unwrap()
                 }
-                let (lanes, reported) =
-                    in_registers(integrator.clone(), set, &members, $h, $steps);
-                assert_eq!(reported, failures, "{set}");
-                for (i, (lane, alone)) in lanes.iter().zip(&ends).enumerate() {
-                    assert_eq!(lane, alone, "{set} member {i}");
-                }
-            }
+            };
+            let widths = Width::ALL.map(of_width);
+            let others = widths.each_ref().map(|other| {
+                let other: &Advance<'_, State<$type>> = other;
+                other
+            });
+            same_bits(&integrator, ($h, $steps, $differing), &others);
         }
     )*};
 }
@@ -166,24 +193,28 @@ fn equations() -> Equations {
     HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top() }
 }
 
+// Of the lanes of a width only the scalars differ, whose bits have tests of their own.
 same_bits_at_every_width! {
     explicit_steps: Direct<RungeKutta, Equations> =
         Direct::new(RungeKutta::rk4(), equations()), 0.02, 100, false;
     midpoint_steps_beyond_a_checkpoint: Lifted<RungeKutta> =
         lifted(RungeKutta::implicit_midpoint()), 0.05, CHECKPOINT + 30, true;
     gauss_steps: Lifted<RungeKutta> = lifted(gauss(4)), 0.2, 300, true;
+    // Newton's iteration takes over in some lanes, with exact derivatives and with quotients.
+    large_direct_steps: Direct<RungeKutta, Equations> =
+        Direct::new(gauss(2), equations()), 0.6, 20, true;
+}
+
+same_bits_in_registers! {
     lift_free_steps: Free<RungeKutta> = free(gauss(2)), 0.05, 300, true;
     lift_free_steps_beyond_a_checkpoint: Free<RungeKutta> =
         free(gauss(1)), 0.05, CHECKPOINT + 30, true;
+    large_lift_free_steps: Free<RungeKutta> = free(gauss(2)), 2.0, 20, true;
     compensated_steps: Compensated<Free<RungeKutta>> = free(gauss(3)).compensated(), 0.05, 100, true;
     compensated_lifted_steps: Compensated<Lifted<RungeKutta>> =
         lifted(gauss(2)).compensated(), 0.05, CHECKPOINT + 30, true;
     large_compensated_steps: Compensated<Lifted<RungeKutta>> =
         lifted(gauss(2)).compensated(), 1.0, 20, true;
-    // Newton's iteration takes over in some lanes, with exact derivatives and with quotients.
-    large_lift_free_steps: Free<RungeKutta> = free(gauss(2)), 2.0, 20, true;
-    large_direct_steps: Direct<RungeKutta, Equations> =
-        Direct::new(gauss(2), equations()), 0.6, 20, true;
     compositions: Free<Composition<RungeKutta>> =
         free(Composition::new(gauss(1), Substeps::suzuki(4).unwrap())), 0.1, 100, true;
     partitioned_steps: Lifted<PartitionedRungeKutta<Alternating>> =
