@@ -59,7 +59,8 @@ pub fn simulate(
     let run = config.run()?;
     let (run, config) = (&*run, config.with_integrator());
     let (table, pace) = (RunTable::new(run)?, run.pace());
-    let formulas = run.described()?.casimirs.into_iter().flatten();
+    let described = run.described()?;
+    let formulas = described.casimirs.iter().flatten();
     let casimirs = formulas.filter_map(|(_, text)| text.as_str().map(String::from)).collect();
     let recorded = RecordedRun { pace, dimension: run.dimension()?, table: &table, casimirs };
     let mut recording = Recording::begin(out, &config, &recorded, options)?;
@@ -84,6 +85,6 @@ pub fn simulate(
     drop(progress);
     recording.conclude(outcome)?;
     let check = options.check.then(|| run.check(&|| options.going())).transpose()?;
-    let summary = RunSummary::new(out.into(), run, &last, &deviations, &table)?;
-    Ok(RunSummary { error_estimate: accuracy.error, check, ..summary })
+    let summary = RunSummary::new(out.into(), run, &last, &deviations, &table);
+    Ok(RunSummary { described, error_estimate: accuracy.error, check, ..summary })
 }
