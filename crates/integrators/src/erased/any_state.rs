@@ -1,5 +1,6 @@
 //! A vector whose dimension is known only when the program runs: [`AnyState`].
 
+use crate::stages::flat_state::Four;
 use lie_poisson::{Real, State};
 use smallvec::SmallVec;
 
@@ -8,9 +9,6 @@ const FEW: usize = 12;
 
 /// The largest number of blocks of coordinates.
 const MOST_BLOCKS: usize = 4;
-
-/// One value for each of four blocks.
-type Four<T> = (((T,), (T,)), ((T,), (T,)));
 
 /// A state or a momentum of an [`AnyIntegrator`](crate::AnyIntegrator): its coordinates, in at most four
 /// [blocks](State::BLOCKS). Up to 12 coordinates need no storage on the heap.

@@ -8,7 +8,7 @@ use crate::iteration::stage_scale::StageScale;
 use crate::iteration::stage_solver::{StageEquations, Unconverged, fit, set_combination};
 use crate::schemes::explicit_step::four_stages;
 use crate::schemes::refinement::Refinement;
-use crate::stages::branch::Branch;
+use crate::stages::branch::solve_on_branch;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::stages::newton::NewtonSpace;
@@ -111,8 +111,9 @@ impl RungeKutta {
                 // vain.
                 let begins = is_finite(BlockSizes::of(core::slice::from_ref(&spare)).largest());
                 if begins.and(unconverged.converged.not()).any() && step.is_finite() {
-                    let problem = Branch { field, z, step, tableau, solver: &self.solver };
-                    let (outcome, cancelling) = problem.solve(&unconverged, &spare, k, newton);
+                    let (method, unknowns) = ((tableau, &self.solver), (&spare, k.as_mut_slice()));
+                    let (outcome, cancelling) =
+                        solve_on_branch(field, (z, step), method, &unconverged, unknowns, newton);
                     memory.include_cancelling(cancelling);
                     // What the sweeps have found says more than that Newton's iteration finds nothing.
                     let found = unconverged.astray.any();

@@ -7,6 +7,7 @@ use crate::iteration::stage_scale::{Progress, Scale, StageScale, TermScale};
 use crate::iteration::stage_solver::{
     NEWTON_ITERATIONS, Unconverged, fill_unless, set_combination, sweep,
 };
+use crate::stages::flat_state::{FlatField, FlatState};
 use crate::stages::newton::{FieldOn, NewtonSpace, newton_step};
 use crate::stages::terms::{cancels, terms};
 use crate::{StageSolver, StepError, Tableau};
@@ -34,33 +35,60 @@ const FACTORS: [f64; 2] = [0.25, 2.0];
 /// The number of shorter steps after which the solution is not followed further.
 const MOST_PARTS: usize = 32;
 
+/// The sizes of the blocks of coordinates.
+type Sizes<T> = BlockSizes<FlatState<T>>;
+
 /// The stage equations k_i = X(z + τh Σ_j a_ij k_j) for 0 ≤ τ ≤ 1.
 ///
 /// For τ = 0 the only solution is k_i = X(z). The solution of the step is the end, at τ = 1, of the curve of solutions that
 /// begins there. Other solutions do not tend to X(z) for short steps. The states to which they lead are wrong, however
 /// exactly they solve the equations.
-pub(crate) struct Branch<'a, V: State> {
-    pub(crate) field: &'a FieldOn<'a, V>,
-    pub(crate) z: &'a V,
-    pub(crate) step: f64,
-    pub(crate) tableau: &'a Tableau,
-    pub(crate) solver: &'a StageSolver,
+///
+/// The points are coordinates without a type, so that this is compiled once for each scalar.
+struct Branch<'a, T: Real> {
+    field: &'a FieldOn<'a, FlatState<T>>,
+    z: &'a FlatState<T>,
+    step: f64,
+    tableau: &'a Tableau,
+    solver: &'a StageSolver,
 }
 
-impl<V: State> Branch<'_, V> {
-    /// Solves the equations of the step from k_i = `rate`, which is X(z), in the lanes in which the sweeps have not
-    /// converged. Returns the number of all iterations, and the lanes in which blocks are round-off of larger terms, so that
-    /// sweeps converge by the sizes of these terms alone. The others need Newton's iteration.
-    ///
-    /// # Errors
-    /// Returns the errors of [`solve_by_newton`](Self::solve_by_newton).
-    pub(crate) fn solve(
+/// Solves the stage equations of a step of the given size from z, from k_i = `rate`, which is X(z), in the lanes in which
+/// the sweeps have not converged. Returns the number of all iterations, and the lanes in which blocks are round-off of
+/// larger terms, so that sweeps converge by the sizes of these terms alone. The others need Newton's iteration.
+///
+/// # Errors
+/// Returns the errors of [`solve_by_newton`](Branch::solve_by_newton).
+#[cold]
+#[inline(never)]
+pub(crate) fn solve_on_branch<V: State>(
+    field: &FieldOn<'_, V>,
+    (z, step): (&V, f64),
+    (tableau, solver): (&Tableau, &StageSolver),
+    sweeps: &Unconverged<MaskOf<V>>,
+    (rate, k): (&V, &mut [V]),
+    space: &mut NewtonSpace<V::Scalar>,
+) -> (Result<usize, StepError>, MaskOf<V>) {
+    let (field, start) = (FlatField { field, space: z.shape() }, FlatState::of(z));
+    let branch = Branch { field: &field, z: &start, step, tableau, solver };
+    let mut flat: Vec<_> = k.iter().map(|k| start.with(k)).collect();
+    let solved = branch.solve(sweeps, &start.with(rate), &mut flat, space);
+    for (k, flat) in k.iter_mut().zip(&flat) {
+        flat.write_to(k);
+    }
+    solved
+}
+
+impl<T: Real> Branch<'_, T> {
+    /// Solves the equations as [`solve_on_branch`] does.
+    #[inline(never)]
+    fn solve(
         &self,
-        sweeps: &Unconverged<MaskOf<V>>,
-        rate: &V,
-        k: &mut [V],
-        space: &mut NewtonSpace<V::Scalar>,
-    ) -> (Result<usize, StepError>, MaskOf<V>) {
+        sweeps: &Unconverged<T::Mask>,
+        rate: &FlatState<T>,
+        k: &mut [FlatState<T>],
+        space: &mut NewtonSpace<T>,
+    ) -> (Result<usize, StepError>, T::Mask) {
         let terms = terms(self.field, (self.z, self.step), rate);
         let (mut done, mut made) = (sweeps.converged, sweeps.iterations);
         let cancels = cancels(&terms, (self.z, self.step), rate).and(done.not());
@@ -84,16 +112,21 @@ impl<V: State> Branch<'_, V> {
     }
 
     /// Sweeps from the guess in `k`, in the lanes that are not `done`. Changes are compared with the terms.
-    fn sweep(&self, done: MaskOf<V>, terms: &BlockSizes<V>, k: &mut [V]) -> Outcome<V> {
+    fn sweep(
+        &self,
+        done: T::Mask,
+        terms: &Sizes<T>,
+        k: &mut [FlatState<T>],
+    ) -> Outcome<FlatState<T>> {
         let scale = TermScale { scale: &StageScale::new(self.z, self.step), terms };
         let (mut point, mut spare) = (self.z.zeros_like(), self.z.zeros_like());
-        let lanes = (done, MaskOf::<V>::from_bool(true));
+        let lanes = (done, T::Mask::from_bool(true));
         let sweeps = self.solver.max_iterations;
         self.solver.iterate(sweeps, lanes, &scale, &mut unknown(), |done, _| {
             sweep(done, k, &mut spare, |i, k, value| {
                 set_combination(&mut point, self.tableau.row_low(i), k);
                 point.add_combination(self.tableau.row(i), k);
-                point.scale_in_place(V::Scalar::from_f64(self.step));
+                point.scale_in_place(T::from_f64(self.step));
                 point.add_in_place(self.z);
                 self.field.at_into(&point, value);
             })
@@ -112,11 +145,11 @@ impl<V: State> Branch<'_, V> {
     /// solution.
     fn solve_by_newton(
         &self,
-        (done, made): (MaskOf<V>, usize),
-        terms: &BlockSizes<V>,
-        rate: &V,
-        k: &mut [V],
-        space: &mut NewtonSpace<V::Scalar>,
+        (done, made): (T::Mask, usize),
+        terms: &Sizes<T>,
+        rate: &FlatState<T>,
+        k: &mut [FlatState<T>],
+        space: &mut NewtonSpace<T>,
     ) -> Result<usize, StepError> {
         fill_unless(done, k, rate);
         let (outcome, [first, path]) = self.newton(1.0, NEWTON_ITERATIONS, done, terms, k, space);
@@ -126,7 +159,7 @@ impl<V: State> Branch<'_, V> {
                 Err(far) if far.converged.or(far.astray).all() => far.iterations,
                 Err(unconverged) => return Err(unconverged.error),
             };
-        let near = path.at_most(V::Scalar::from_f64(NEAR));
+        let near = path.at_most(T::from_f64(NEAR));
         let done = path.at_most(first * AT_ONCE).or(near).or(done);
         if done.all() {
             return Ok(iterations);
@@ -134,7 +167,7 @@ impl<V: State> Branch<'_, V> {
         match self.follow(done, terms, rate, space) {
             Some(followed) if self.equal(terms, k, &followed).or(done).all() => Ok(iterations),
             _ => {
-                let distance = V::Scalar::select(done, V::Scalar::from_f64(0.0), path).max_abs();
+                let distance = T::select(done, T::from_f64(0.0), path).max_abs();
                 Err(StepError::OtherSolution { distance })
             }
         }
@@ -146,23 +179,20 @@ impl<V: State> Branch<'_, V> {
         &self,
         part: f64,
         most: usize,
-        done: MaskOf<V>,
-        terms: &BlockSizes<V>,
-        k: &mut [V],
-        space: &mut NewtonSpace<V::Scalar>,
-    ) -> (Outcome<V>, [V::Scalar; 2]) {
+        done: T::Mask,
+        terms: &Sizes<T>,
+        k: &mut [FlatState<T>],
+        space: &mut NewtonSpace<T>,
+    ) -> (Outcome<FlatState<T>>, [T; 2]) {
         let (z, step) = (self.z, self.step * part);
         let scale = StageScale::new(z, step);
-        let (mut first, mut path) = (None, V::Scalar::from_f64(0.0));
+        let (mut first, mut path) = (None, T::from_f64(0.0));
         let outcome = self.solver.newton(most, done, &scale, k, |done, k| {
             let progress = newton_step(self.field, (z, step), self.tableau, done, k, space);
             let (change, size) = TermScale { scale: &scale, terms }.compare(&progress);
             // At an equilibrium both are 0.
-            let relative = V::Scalar::select(
-                size.at_most(V::Scalar::from_f64(0.0)),
-                V::Scalar::from_f64(0.0),
-                change / size,
-            );
+            let relative =
+                T::select(size.at_most(T::from_f64(0.0)), T::from_f64(0.0), change / size);
             first = first.or(Some(relative));
             path += relative;
             progress
@@ -173,19 +203,19 @@ impl<V: State> Branch<'_, V> {
     /// Follows the solution from τ = 0 to τ = 1. Returns it, or `None` if it ends before.
     fn follow(
         &self,
-        done: MaskOf<V>,
-        terms: &BlockSizes<V>,
-        rate: &V,
-        space: &mut NewtonSpace<V::Scalar>,
-    ) -> Option<Vec<V>> {
+        done: T::Mask,
+        terms: &Sizes<T>,
+        rate: &FlatState<T>,
+        space: &mut NewtonSpace<T>,
+    ) -> Option<Vec<FlatState<T>>> {
         let mut k = vec![rate.clone(); self.tableau.stages()];
-        let mut before: Option<(f64, Vec<V>)> = None;
+        let mut before: Option<(f64, Vec<FlatState<T>>)> = None;
         let (mut reached, mut part) = (0.0, FIRST_PART);
         for _ in 0..MOST_PARTS {
             let next = f64::min(reached + part, 1.0);
             let mut guess = k.clone();
             if let Some((earlier, old)) = &before {
-                let factor = V::Scalar::from_f64((next - reached) / (reached - earlier));
+                let factor = T::from_f64((next - reached) / (reached - earlier));
                 for ((guess, k), old) in guess.iter_mut().zip(&k).zip(old) {
                     guess.add_multiple(factor, k);
                     guess.add_multiple(-factor, old);
@@ -193,7 +223,7 @@ impl<V: State> Branch<'_, V> {
             }
             let (outcome, [_, path]) =
                 self.newton(next, FEW_ITERATIONS, done, terms, &mut guess, space);
-            let far = V::Scalar::select(done, V::Scalar::from_f64(0.0), path).max_abs();
+            let far = T::select(done, T::from_f64(0.0), path).max_abs();
             // More digits are not compared, and a few iterations do not show that there are no more.
             let found = match outcome {
                 Ok(_) => true,
@@ -220,7 +250,7 @@ impl<V: State> Branch<'_, V> {
     }
 
     /// Returns the lanes in which two solutions are the same.
-    fn equal(&self, terms: &BlockSizes<V>, k: &[V], other: &[V]) -> MaskOf<V> {
+    fn equal(&self, terms: &Sizes<T>, k: &[FlatState<T>], other: &[FlatState<T>]) -> T::Mask {
         let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::of(k) };
         for (k, other) in k.iter().zip(other) {
             progress.change.include_difference(k, other);

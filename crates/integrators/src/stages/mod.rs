@@ -2,6 +2,7 @@
 //! solutions that short steps lead to, and the terms whose round-off limits both.
 
 pub(crate) mod checkpoints;
+pub(crate) mod flat_state;
 pub(crate) mod newton;
 pub(crate) mod branch;
 pub(crate) mod terms;

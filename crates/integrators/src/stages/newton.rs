@@ -29,8 +29,8 @@ impl<T> NewtonSpace<T> {
     }
 }
 
-/// A vector field on points V. It is called through a pointer, so that Newton's iteration is compiled once for all fields
-/// on points of a type, since few steps need it.
+/// A vector field on points V that is called through a pointer, so that what calls it is compiled once for all fields on
+/// points of a type.
 pub(crate) type FieldOn<'a, V> = dyn VectorField<<V as State>::Scalar, Point = V> + 'a;
 
 /// Makes one Newton iteration k ← k − (1 − h A ⊗ DX)⁻¹ (k − X(z + h A k)) for the stage derivatives, in the lanes that
