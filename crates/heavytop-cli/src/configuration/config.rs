@@ -8,11 +8,11 @@ use super::system::SystemConfig;
 use super::top::{About, BodyConfig, InitialConfig, LeftOut};
 use crate::Error;
 use crate::errors::{CheckpointError, SystemTableError};
-use crate::runs::step_angle::require_sane_step;
 use crate::runs::{Experiment, Pace, Run, Schedule, SystemExperiment};
 use heavytop::methods::Formulation;
 use heavytop::{HeavyTop, PrincipalAxes};
 use lie_poisson::{InstructionSet, Se3Dual};
+use lie_poisson_runs::step_angle::require_sane_step;
 use serde::{Deserialize, Serialize};
 
 /// The keys that say where the centre of mass is, and how heavy it is.
@@ -90,7 +90,7 @@ impl Config {
             return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
         }
         if attitude && formulation == Formulation::Direct {
-            return Err(Error::NoAttitude { formulation });
+            return Err(lie_poisson_runs::RunFailure::NoAttitude { formulation }.into());
         }
         require_sane_step(&top, &start, step)?;
         let pace = Pace { schedule: Schedule::new(step, end)?, every };

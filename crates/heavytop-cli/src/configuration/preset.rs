@@ -16,7 +16,7 @@ use heavytop::methods::{Formulation, SchemeName};
 /// use heavytop_cli::configuration::Preset;
 /// // Brüls's top: the height of its centre of mass at t = 2 s
 /// let (experiment, mut end) = (Preset::MultibodyBenchmark.config().experiment()?, None);
-/// experiment.run(|_, t, mu, _| Ok(end = Some((t, mu.0.1.y))))?;
+/// experiment.run(|_, t, mu, _| Ok::<_, heavytop_cli::Error>(end = Some((t, mu.0.1.y))))?;
 /// let (t, height) = end.unwrap();
 /// assert_eq!(t, 2.0);
 /// assert!((height + 0.67302226956).abs() < 1e-8);

@@ -4,6 +4,7 @@ use super::error::Error;
 use super::system_table_error::SystemTableError;
 use heavytop::methods::MethodError;
 use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_runs::RunFailure;
 use momentum_map::LiftError;
 
 impl From<MethodError> for Error {
@@ -13,6 +14,24 @@ impl From<MethodError> for Error {
                 Self::OutOfRange { name: "tolerance", range: "finite and not negative", value }
             }
             error => Self::Method(error),
+        }
+    }
+}
+
+impl From<RunFailure> for Error {
+    fn from(error: RunFailure) -> Self {
+        match error {
+            RunFailure::Start(error) => error.into(),
+            RunFailure::Method(error) => error.into(),
+            RunFailure::System(error) => (*error).into(),
+            RunFailure::NoDirection { name, value } => {
+                Self::OutOfRange { name, range: "finite and different from 0", value }
+            }
+            RunFailure::EarlyEnd { end: value } => {
+                Self::OutOfRange { name: "end", range: "finite and more than 10", value }
+            }
+            RunFailure::Tangent(error) => Self::Tangent(error),
+            error => Self::Run(error),
         }
     }
 }

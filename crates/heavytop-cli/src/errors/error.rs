@@ -6,8 +6,8 @@ use super::sweep_error::SweepError;
 use super::system_table_error::SystemTableError;
 use crate::vocabulary::brief::{number, text};
 use crate::vocabulary::suggestion::suggestion;
-use collective_integrators::{EventError, IntegrationError, RunError, VariationalError};
-use heavytop::methods::{Formulation, MethodError};
+use collective_integrators::{EventError, RunError, VariationalError};
+use heavytop::methods::MethodError;
 use heavytop::{SectionError, TopError};
 use lie_poisson_formula_systems::FormulaSystemError;
 use std::io;
@@ -129,14 +129,6 @@ pub enum Error {
         /// The reason why the run cannot continue.
         source: CheckpointError,
     },
-    /// A saved state does not fit the integrator of this experiment.
-    #[error("the saved state has {found} numbers, that of the integrator {expected}")]
-    SavedState {
-        /// The number of coordinates of the integrator's state.
-        expected: usize,
-        /// The number of coordinates of the saved state.
-        found: usize,
-    },
     /// No top has these parameters.
     #[error("[body]")]
     Body(#[source] TopError),
@@ -160,15 +152,9 @@ pub enum Error {
     /// There is no integrator of the formulation and the scheme.
     #[error(transparent)]
     Method(MethodError),
-    /// The formulation does not determine the attitude.
-    #[error(
-        "{} has no attitude: its six equations do not determine it; collective, reduced and \
-         splitting have one", formulation.name()
-    )]
-    NoAttitude {
-        /// The formulation that was asked for.
-        formulation: Formulation,
-    },
+    /// There is no such run, or it failed.
+    #[error(transparent)]
+    Run(lie_poisson_runs::RunFailure),
     /// A number is out of its range.
     #[error("{name} must be {range}, got {}", number(*value))]
     OutOfRange {
@@ -178,55 +164,6 @@ pub enum Error {
         range: &'static str,
         /// The value of the number.
         value: f64,
-    },
-    /// The steps go backward in time, and the end is after the start.
-    #[error(
-        "steps of {} s do not reach end = {}: a run backward in time has an end before 0",
-        number(*step), number(*end)
-    )]
-    OppositeEnd {
-        /// The size of the steps, s.
-        step: f64,
-        /// The end asked for, s.
-        end: f64,
-    },
-    /// The motion turns too far in one step for any method to give meaningful results.
-    #[error(
-        "a step of {} s turns the motion by about {angle:.3e} rad; it must be at most {most}",
-        number(*step)
-    )]
-    AbsurdStep {
-        /// The step size, s.
-        step: f64,
-        /// The angle of the turn, rad.
-        angle: f64,
-        /// The largest angle allowed, rad.
-        most: f64,
-    },
-    /// The run has more steps than could be computed in a lifetime.
-    #[error(
-        "the run would take {steps:e} steps, more than {most:e}: lower the end or raise the step"
-    )]
-    TooManySteps {
-        /// The number of steps.
-        steps: f64,
-        /// The largest number of steps allowed.
-        most: f64,
-    },
-    /// The end is not a whole number of steps.
-    #[error(
-        "end = {} is not a whole number of steps of {}; the nearest ends are {} and {}",
-        number(*end), number(*step), number(*before), number(*after)
-    )]
-    BrokenStep {
-        /// The end asked for.
-        end: f64,
-        /// The size of the steps.
-        step: f64,
-        /// The last end before it that is a whole number of steps.
-        before: f64,
-        /// The first end after it that is a whole number of steps.
-        after: f64,
     },
     /// The ending of the output's name stands for no format.
     #[error("cannot write {}: the name must end in .csv, .npz or .parquet", path.display())]
@@ -256,33 +193,15 @@ pub enum Error {
         /// The error of the system.
         source: io::Error,
     },
-    /// The integration failed: a stage equation did not converge, or a state is not finite.
-    #[error("{formulation}, {scheme}")]
-    Integration {
-        /// The formulation's name.
-        formulation: &'static str,
-        /// The scheme's name.
-        scheme: &'static str,
-        /// The step, the time and the reason.
-        source: IntegrationError,
-    },
-    /// A quantity that is written has no finite value during the run.
-    #[error("{}at t = {time}", of_start(*start))]
+    /// A quantity has no finite value on the way from a start of a section.
+    #[error("start {start}, at t = {time}")]
     NoValue {
-        /// The number of the start of a section, from 1; `None` in a run.
-        start: Option<usize>,
+        /// The number of the start, from 1.
+        start: usize,
         /// The time (s).
         time: f64,
         /// The quantity, the part of it without a value, and the state.
         source: Box<FormulaSystemError>,
-    },
-    /// An integrator that was to be timed failed.
-    #[error("{name}")]
-    Timed {
-        /// The name of the integrator.
-        name: String,
-        /// The step, the time and the reason.
-        source: IntegrationError,
     },
     /// No integrator has this text in its name.
     #[error("no integrator has `{}` in its name; there are {}", text(only), names.join(", "))]
@@ -437,11 +356,6 @@ impl Error {
             other => other,
         }
     }
-}
-
-/// Returns the beginning of a message about a start of a section.
-fn of_start(number: Option<usize>) -> String {
-    number.map_or_else(String::new, |number| format!("start {number}, "))
 }
 
 /// Returns the end of a message, which names the argument that resumes the run.

@@ -19,9 +19,12 @@ impl Error {
         match self {
             Self::Reference { .. }
             | Self::Write { .. }
-            | Self::Integration { .. }
             | Self::NoValue { .. }
-            | Self::Timed { .. }
+            | Self::Run(
+                lie_poisson_runs::RunFailure::Integration { .. }
+                | lie_poisson_runs::RunFailure::NoValue { .. }
+                | lie_poisson_runs::RunFailure::Timed { .. },
+            )
             | Self::Crossing { .. }
             | Self::AllFailed { .. }
             | Self::Tangent(_)

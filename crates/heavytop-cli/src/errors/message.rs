@@ -64,6 +64,7 @@ mod tests {
     use collective_integrators::{IntegrationError, RunError, SchemeError, StepError};
     use heavytop::methods::{MethodError, SchemeName};
     use heavytop::{SectionError, TopError};
+    use lie_poisson_runs::RunFailure;
     use momentum_map::LiftError;
     use std::error::Error as _;
     use std::path::PathBuf;
@@ -84,8 +85,9 @@ mod tests {
         let rows = CheckpointError::Rows { path: "a.csv".into(), source: refused() };
         let top = || TopError::NotPositive { name: "mass", value: -1.0 };
         let lift = LiftError { quantity: "Γ", value: 0.0, reason: "Γ must be different from 0" };
-        let integration =
-            |source| Error::Integration { formulation: "direct", scheme: "rk4", source };
+        let integration = |source| {
+            Error::Run(RunFailure::Integration { formulation: "direct", scheme: "rk4", source })
+        };
         vec![
             (
                 Error::Read { path: path(), source: refused() },
@@ -124,7 +126,7 @@ mod tests {
                 "direct, rk4: step 5 at t = 0.5: the step size must be finite, it is inf",
             ),
             (
-                Error::Timed { name: "rk4".into(), source: step() },
+                Error::Run(RunFailure::Timed { name: "rk4".into(), source: step() }),
                 "rk4: step 5 at t = 0.5: the step size must be finite, it is inf",
             ),
             (

@@ -7,6 +7,7 @@ use crate::vocabulary::brief::number;
 use heavytop::methods::MethodError;
 use heavytop::{SectionError, TopError};
 use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_runs::RunFailure;
 
 /// A key that may be at fault, and what to write there.
 pub(super) type Repair = (String, String);
@@ -49,18 +50,18 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
             .filter(|(known, _)| known == name)
             .map(|(_, key)| repair(key, format!("must be {range}")))
             .collect(),
-        Error::BrokenStep { before, after, .. } => {
+        Error::Run(RunFailure::BrokenStep { before, after, .. }) => {
             let ends = [*before, *after].into_iter().filter(|end| *end != 0.0).map(number);
             let ends = ends.collect::<Vec<_>>().join(" or ");
             let step = "does not divide the end".to_string();
             vec![repair("integrator.end", format!("write {ends}")), repair("integrator.step", step)]
         }
-        Error::OppositeEnd { step, end } => vec![
+        Error::Run(RunFailure::OppositeEnd { step, end }) => vec![
             repair("integrator.end", format!("write {}", number(-end))),
             repair("integrator.step", format!("write {}", number(-step))),
         ],
-        Error::TooManySteps { steps, most } => too_long(steps / most, config),
-        Error::AbsurdStep { step, angle, most } => {
+        Error::Run(RunFailure::TooManySteps { steps, most }) => too_long(steps / most, config),
+        Error::Run(RunFailure::AbsurdStep { step, angle, most }) => {
             let bound = step * most / angle;
             let note = match bound {
                 0.0.. => format!("write at most {bound:.3e}"),
@@ -84,7 +85,7 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
                 repair("integrator.formulation", format!("write `scheme` too, such as {first}")),
             ]
         }
-        Error::NoAttitude { .. } => vec![
+        Error::Run(RunFailure::NoAttitude { .. }) => vec![
             repair("output.attitude", "write false, or choose another formulation".into()),
             repair("integrator.formulation", "write `collective`, `reduced` or `splitting`".into()),
         ],

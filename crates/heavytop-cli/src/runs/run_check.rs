@@ -51,9 +51,9 @@ impl RunCheck {
     ///
     /// # Errors
     /// If a step failed.
-    pub(super) fn of(
+    pub(crate) fn of(
         checked: Result<Option<StepCheck>, RunError>,
-        (formulation, scheme): (Formulation, SchemeName),
+        method: (Formulation, SchemeName),
     ) -> Result<Self, Error> {
         match checked {
             Ok(Some(StepCheck { error, order })) => {
@@ -63,11 +63,9 @@ impl RunCheck {
             Ok(None) => {
                 Ok(Self { error: None, order: None, no_order: Some(WithoutOrder::Interrupted) })
             }
-            Err(RunError::Integration(source)) => Err(Error::Integration {
-                formulation: formulation.name(),
-                scheme: scheme.name(),
-                source,
-            }),
+            Err(RunError::Integration(source)) => {
+                Err(lie_poisson_runs::RunFailure::of_step(method, source).into())
+            }
             Err(other) => Err(other.into()),
         }
     }

@@ -55,7 +55,7 @@ pub fn goes_on(case: &[u8]) -> bool {
         let state = &moment.row[1..7];
         assert!(!finite || state.iter().all(|x| x.is_finite()), "{state:?}");
         moments += 1;
-        Ok(())
+        Ok::<_, Error>(())
     });
     followed.is_ok() && moments > 1
 }

@@ -6,11 +6,11 @@ use crate::Error;
 use crate::configuration::Config;
 use crate::files::{Kind, Output, Place, contains};
 use crate::pictures::caption;
-use crate::runs::method_warning::method_warning;
 use crate::runs::run_check::accuracy_warning;
 use crate::runs::{Experiment, Run};
 use crate::supervision::warnings::warn;
 use crate::supervision::{Progress, Watch};
+use lie_poisson_runs::method_warning::method_warning;
 use std::path::Path;
 
 /// The largest number of frames of a page; that many take some 3.5 MB, and longer runs are thinned out.

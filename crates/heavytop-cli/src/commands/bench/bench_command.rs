@@ -1,14 +1,13 @@
 //! The command `bench`: what is timed, and the table of the times.
 
-use super::clock::Run;
-use super::contestants::Contest;
-use super::problem::BenchProblem;
+use super::problem_file::read;
 use crate::Error;
 use crate::configuration::Config;
 use crate::supervision::Progress;
 use crate::supervision::tiled_run::threads as pool;
 use heavytop::HeavyTop;
 use lie_poisson::{Covector, Pair, Se3Dual};
+use lie_poisson_runs::contests::{Contest, TimedProblem, TimedRun};
 use nalgebra::{Rotation3, Vector3};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -41,7 +40,7 @@ pub struct Bench {
     /// The number of threads of the ensembles.
     pub threads: usize,
     /// The timed runs, in the order in which they were made.
-    pub runs: Vec<Run>,
+    pub runs: Vec<TimedRun>,
 }
 
 /// Times every fast path and the general integrators.
@@ -69,14 +68,14 @@ pub fn bench(
     let BenchOptions { only, tops, threads } = options;
     let pool = pool(Some(threads))?;
     let problems = match problem {
-        Some(path) => vec![BenchProblem::read(path)?],
+        Some(path) => vec![read(path)?],
         None => own(config, tops)?,
     };
     let progress = Progress::of(0, "runs", quiet);
     let (mut runs, mut others) = (Vec::new(), BTreeSet::new());
     for problem in &problems {
         pool.install(|| {
-            let done = |run: Run| {
+            let done = &mut |run: TimedRun| {
                 progress.now(runs.len() as u64, run.name.clone());
                 runs.push(run);
             };
@@ -89,15 +88,15 @@ pub fn bench(
     Ok(Bench { threads, runs })
 }
 
-fn own(config: &Config, tops: u64) -> Result<Vec<BenchProblem>, Error> {
+fn own(config: &Config, tops: u64) -> Result<Vec<TimedProblem>, Error> {
     if !(2..=1_000_000_000).contains(&tops) {
         let range = "at least 2 and at most 1e9";
         return Err(Error::OutOfRange { name: "tops", range, value: tops as f64 });
     }
     let (top, start) = (config.top()?, config.start()?);
-    let one = BenchProblem::with_references(top, LONG, vec![start])?;
+    let one = TimedProblem::with_references(top, LONG, vec![start])?;
     let around = (0..tops.min(REFERENCES)).map(|index| near(&top, &start, index)).collect();
-    let many = BenchProblem { tops, ..BenchProblem::with_references(top, SHORT, around)? };
+    let many = TimedProblem { tops, ..TimedProblem::with_references(top, SHORT, around)? };
     Ok(vec![one, many])
 }
 

@@ -126,7 +126,10 @@ pub fn compare(
 
 /// Returns the configured steps to the end of the interval (s).
 fn schedule_to(experiment: &Experiment, end: f64) -> Result<Schedule, Error> {
-    let refused = |source| Error::Argument { name: "end", source: Box::new(source) };
+    let refused = |source: lie_poisson_runs::RunFailure| Error::Argument {
+        name: "end",
+        source: Box::new(source.into()),
+    };
     Schedule::new(experiment.pace.schedule.step, end).map_err(refused)
 }
 

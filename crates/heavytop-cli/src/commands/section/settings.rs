@@ -7,7 +7,7 @@ use super::problems::top_problem::TopProblem;
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
 use crate::formats::run_table::require_distinct;
-use crate::runs::schedule::directed_step;
+use lie_poisson_runs::directed_step;
 use std::sync::Arc;
 
 /// The largest number of points; more must be a typing error.
@@ -60,7 +60,9 @@ impl Settings {
         problem.require_step(step)?;
         let steps = (longest / step.abs()).ceil();
         if steps > MOST_STEPS {
-            return Err(Error::TooManySteps { steps, most: MOST_STEPS });
+            return Err(
+                lie_poisson_runs::RunFailure::TooManySteps { steps, most: MOST_STEPS }.into()
+            );
         }
         let given = u32::try_from(settings.states.len()).unwrap_or(u32::MAX);
         let starts = if given > 0 { given } else { settings.starts };

@@ -11,6 +11,7 @@ use crate::formats::recognition::ROWS;
 use crate::formats::{Extent, Format, Metadata, RunTable};
 use crate::runs::{Pace, Saved};
 use crate::supervision::tiled_run::RESUME;
+use lie_poisson_runs::RunFailure;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -109,7 +110,9 @@ impl Recording {
         let concluded = match outcome {
             Ok(()) => self.complete(),
             // A run that failed would fail there again.
-            Err(failure @ (Error::Integration { .. } | Error::NoValue { .. })) => {
+            Err(
+                failure @ Error::Run(RunFailure::Integration { .. } | RunFailure::NoValue { .. }),
+            ) => {
                 remove_checkpoint(&self.place);
                 return Err(self.keep(failure));
             }

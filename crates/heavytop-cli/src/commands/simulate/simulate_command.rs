@@ -8,6 +8,7 @@ use super::simulate_options::SimulateOptions;
 use crate::Error;
 use crate::configuration::Config;
 use crate::formats::RunTable;
+use crate::runs::RunCheck;
 use crate::runs::run_check::accuracy_warning;
 use crate::supervision::Progress;
 use crate::supervision::warnings::warn;
@@ -64,7 +65,7 @@ pub fn simulate(
     let casimirs = formulas.filter_map(|(_, text)| text.as_str().map(String::from)).collect();
     let recorded = RecordedRun { pace, dimension: run.dimension()?, table: &table, casimirs };
     let mut recording = Recording::begin(out, &config, &recorded, options)?;
-    let accuracy = options.estimated(|going| run.accuracy(going))?;
+    let accuracy = options.estimated(|going| Ok(run.accuracy(going)?))?;
     recording.add_estimate(accuracy.error);
     [run.warning()?, accuracy_warning(&accuracy)].into_iter().flatten().for_each(warn);
     let mut deviations = Deviations::new(run.initial()?, options.resume);
@@ -84,7 +85,8 @@ pub fn simulate(
     });
     drop(progress);
     recording.conclude(outcome)?;
-    let check = options.check.then(|| run.check(&|| options.going())).transpose()?;
+    let check = || RunCheck::of(run.compared(&|| options.going())?, run.method());
+    let check = options.check.then(check).transpose()?;
     let summary = RunSummary::new(out.into(), run, &last, &deviations, &table);
     Ok(RunSummary { described, error_estimate: accuracy.error, check, ..summary })
 }

@@ -5,13 +5,13 @@ use super::table_file::{is_table, read_table};
 use crate::Error;
 use crate::configuration::{Integration, IntegratorConfig};
 use crate::errors::SystemTableError;
-use crate::runs::step_angle::require_sane_step_of_system;
 use crate::runs::{Pace, Schedule, SystemExperiment};
 use heavytop::methods::Formulation;
 use lie_poisson_formula_systems::{
     FormulaSystem, FormulaSystemError, SystemAlgebra, SystemMethod, structure_table,
 };
 use lie_poisson_formulas::{Coordinates, Parameters};
+use lie_poisson_runs::step_angle::require_sane_step_of_system;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -12,7 +12,7 @@ use heavytop_cli::commands::sweep::sweep;
 use heavytop_cli::configuration::Config;
 use heavytop_cli::files::{Input, Output, Safeguard};
 use heavytop_cli::reading::Sources;
-use heavytop_cli::runs::Saved;
+use heavytop_cli::runs::{Moment, Saved};
 use heavytop_cli::supervision::{TileOptions, Watch};
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;
@@ -80,16 +80,13 @@ fn of_numbers(folder: &Folder) -> BTreeSet<String> {
     [
         refused("Error::Argument", compared("", Some(0.0))),
         refused("Error::Reference", compared("integrator = { step = 0.8, end = 80 }", None)),
-        refused("Error::Integration", failed),
-        refused("Error::NoValue", config(LOGARITHM).run().unwrap().follow(None, |_| Ok(()))),
-        refused(
-            "Error::SavedState",
-            Config::default().run().unwrap().follow(Some(&no_saved), |_| Ok(())),
-        ),
+        refused("Error::Run", failed),
+        refused("Error::Run", config(LOGARITHM).run().unwrap().follow(None, ignore)),
+        refused("Error::Run", Config::default().run().unwrap().follow(Some(&no_saved), ignore)),
         refused("Error::Start", no_start.run(|_, _, _, _| Ok(()))),
         refused("Error::Configuration", timed(folder, "2 2 1 1 0 0 1 20\n", "Gauss-12")),
         refused("Error::NoContestant", timed(folder, &problem("4"), "Gaus-12")),
-        refused("Error::Timed", timed(folder, &problem("1e200"), "Gauss-12")),
+        refused("Error::Run", timed(folder, &problem("1e200"), "Gauss-12")),
     ]
     .into_iter()
     .flatten()
@@ -105,6 +102,10 @@ const LOGARITHM: &str = "[system]\ncoordinates = ['x', 'y']\nbrackets = { 'x, y'
 fn problem(speed: &str) -> String {
     let state = format!("0 0 {speed} 0 0 1 ");
     format!("2 2 1 1 0 0 1 20\n{}\n", state.repeat(3))
+}
+
+fn ignore(_: &Moment<'_>) -> Result<(), Error> {
+    Ok(())
 }
 
 fn timed(folder: &Folder, problem: &str, only: &str) -> Result<Bench, Error> {

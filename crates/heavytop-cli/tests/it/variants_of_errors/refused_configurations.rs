@@ -25,12 +25,12 @@ const RUNS: [(&str, &str); 12] = [
     ("Error::CentralMoments", "body.inertia_about = 'center-of-mass'"),
     ("Error::AzimuthAlone", "initial.azimuth = 1"),
     ("Error::Method", "integrator.formulation = 'splitting'"),
-    ("Error::NoAttitude", "integrator.formulation = 'direct'\noutput.attitude = true"),
+    ("Error::Run", "integrator.formulation = 'direct'\noutput.attitude = true"),
     ("Error::OutOfRange", "output.every = 0"),
-    ("Error::OppositeEnd", "integrator = { step = -0.02, end = 100 }"),
-    ("Error::AbsurdStep", "integrator = { step = 1e10, end = 1e10 }"),
-    ("Error::TooManySteps", "integrator.step = 1e-300"),
-    ("Error::BrokenStep", "integrator.step = 0.03"),
+    ("Error::Run", "integrator = { step = -0.02, end = 100 }"),
+    ("Error::Run", "integrator = { step = 1e10, end = 1e10 }"),
+    ("Error::Run", "integrator.step = 1e-300"),
+    ("Error::Run", "integrator.step = 0.03"),
 ];
 
 /// Configurations of runs of systems, below `[system]`.
@@ -55,10 +55,14 @@ const SECTIONS: [(&str, &str); 5] = [
     ("Error::Crossing", FAILING),
     ("Error::Kept", FAILING),
 ];
-const SYSTEM_SECTIONS: [(&str, &str); 3] = [
+const SYSTEM_SECTIONS: [(&str, &str); 4] = [
     ("Error::NoSurface", "starts = 1"),
     ("Error::SystemSection", "surface = 'x'"),
     ("Error::NeverCrosses", "surface = 'Pi1'\nlongest = 1\nstates = [{ Pi = [1, 0, 0] }]"),
+    (
+        "Error::NoValue",
+        "surface = 'Pi1'\ndirection = 'both'\naxes = ['ln(Pi2)', 'Pi3']\nstates = [{ Pi = [1, 0, 1] }]",
+    ),
 ];
 
 /// An integrator whose first step fails.

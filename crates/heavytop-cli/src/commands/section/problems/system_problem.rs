@@ -7,14 +7,14 @@ use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig, SystemConfig};
 use crate::errors::SystemTableError;
 use crate::pictures::caption::{self, number};
-use crate::runs::method_warning::system_warning;
-use crate::runs::step_angle::require_sane_step_of_system;
 use crate::vocabulary::brief;
 use collective_integrators::diagnostics::RunAccuracy;
 use collective_integrators::{AnyState, Events, Start};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemSection};
 use lie_poisson_formulas::Formula;
+use lie_poisson_runs::method_warning::system_warning;
+use lie_poisson_runs::step_angle::require_sane_step_of_system;
 use serde_json::{Map, Value};
 
 /// The section of a system, and how its points are computed.
@@ -120,8 +120,7 @@ impl SystemProblem {
             // What is written and drawn has a value.
             let values = self.section.checked_plane(state).map(drop);
             values.and_then(|()| self.system().invariants(state)).map_err(|source| {
-                let (start, source) = (Some(number), Box::new(source));
-                Error::NoValue { start, time: sample.time, source }
+                Error::NoValue { start: number, time: sample.time, source: Box::new(source) }
             })?;
             visit(sample.time, state)?;
         }
@@ -151,9 +150,9 @@ impl SectionProblem for SystemProblem {
         let own = std::slice::from_ref(&self.initial);
         let states = if self.given.is_empty() { own } else { &self.given };
         let system = self.system();
-        states
-            .iter()
-            .try_for_each(|state| require_sane_step_of_system(&self.method, system, state, step))
+        let sane =
+            |state: &Vec<f64>| require_sane_step_of_system(&self.method, system, state, step);
+        Ok(states.iter().try_for_each(sane)?)
     }
 
     fn complete(&self, section: SectionConfig) -> SectionConfig {

@@ -6,8 +6,6 @@ use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
 use crate::formats::run_table::STATE_COLUMNS;
 use crate::pictures::caption::{self, number};
-use crate::runs::method_warning::method_warning;
-use crate::runs::step_angle::{least_moment, require_turn};
 use collective_integrators::diagnostics::RunAccuracy;
 use collective_integrators::{AnyState, Direction};
 use heavytop::methods::{Formulation, Method, SchemeName};
@@ -15,6 +13,8 @@ use heavytop::{
     EnergyLevel, HeavyTop, Invariant, PrincipalAxes, Section, Surface, SurfaceVariable,
 };
 use lie_poisson::{Se3Dual, State, Vector};
+use lie_poisson_runs::method_warning::method_warning;
+use lie_poisson_runs::step_angle::{least_moment, require_turn};
 use serde_json::{Map, Value};
 
 /// The largest turn of any body on the energy level in one step, rad, if the configuration gives no step. The Gauss
@@ -90,7 +90,7 @@ impl SectionProblem for TopProblem {
 
     fn require_step(&self, step: f64) -> Result<(), Error> {
         let EnergyLevel { top, energy, .. } = self.section.level();
-        require_turn(step, step.abs() * fastest(top, *energy))
+        Ok(require_turn(step, step.abs() * fastest(top, *energy))?)
     }
 
     fn complete(&self, section: SectionConfig) -> SectionConfig {

@@ -12,13 +12,13 @@ use crate::configuration::{
 use crate::errors::SweepError;
 use crate::pictures::caption::{number, vector_of};
 use crate::runs::Schedule;
-use crate::runs::method_warning::system_warning;
-use crate::runs::step_angle::require_sane_step_of_system;
 use crate::vocabulary::brief;
 use collective_integrators::AnyState;
 use collective_integrators::diagnostics::RunAccuracy;
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson_formula_systems::{FormulaSystem, SystemMethod};
+use lie_poisson_runs::method_warning::system_warning;
+use lie_poisson_runs::step_angle::require_sane_step_of_system;
 use std::cell::RefCell;
 
 /// Motions of a system, whose parameters or initial states differ.

@@ -11,13 +11,13 @@ use crate::configuration::{
 };
 use crate::errors::SweepError;
 use crate::runs::Schedule;
-use crate::runs::method_warning::method_warning;
-use crate::runs::step_angle::require_sane_step;
 use collective_integrators::AnyState;
 use collective_integrators::diagnostics::{InvariantSize, RunAccuracy};
 use heavytop::methods::{Formulation, Method, SchemeName};
 use heavytop::{HeavyTop, Invariant, Nutation, PrincipalAxes};
 use lie_poisson::{DualNumber, Se3Dual, Vector, larger, seed};
+use lie_poisson_runs::method_warning::method_warning;
+use lie_poisson_runs::step_angle::require_sane_step;
 
 /// Tops whose parameters or initial states differ.
 #[derive(Clone, Debug, PartialEq)]

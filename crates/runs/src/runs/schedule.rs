@@ -1,6 +1,6 @@
 //! The schedule of a run: its step size and number of steps.
 
-use crate::Error;
+use crate::RunFailure;
 
 /// The largest number of steps; more must be a typing error.
 const MOST_STEPS: f64 = 1e12;
@@ -21,14 +21,22 @@ pub struct Schedule {
 ///
 /// # Errors
 /// If one of the two is 0 or not finite, or the step is negative and the end is not.
-pub(crate) fn directed_step(step: f64, end: f64) -> Result<f64, Error> {
+///
+/// # Example
+/// ```
+/// use lie_poisson_runs::directed_step;
+/// assert_eq!(directed_step(0.1, -5.0)?, -0.1);
+/// assert!(directed_step(-0.1, 5.0).is_err());
+/// # Ok::<(), lie_poisson_runs::RunFailure>(())
+/// ```
+pub fn directed_step(step: f64, end: f64) -> Result<f64, RunFailure> {
     for (name, value) in [("step", step), ("end", end)] {
         if value == 0.0 || !value.is_finite() {
-            return Err(Error::OutOfRange { name, range: "finite and different from 0", value });
+            return Err(RunFailure::NoDirection { name, value });
         }
     }
     if step < 0.0 && end > 0.0 {
-        return Err(Error::OppositeEnd { step, end });
+        return Err(RunFailure::OppositeEnd { step, end });
     }
     Ok(step.copysign(end))
 }
@@ -48,23 +56,23 @@ impl Schedule {
     ///
     /// # Example
     /// ```
-    /// use heavytop_cli::runs::Schedule;
+    /// use lie_poisson_runs::Schedule;
     /// assert_eq!(Schedule::new(0.02, 100.0)?.steps, 5000);
     /// assert!(Schedule::new(0.03, 100.0).is_err());
     /// assert_eq!(Schedule::new(0.02, -100.0)?, Schedule::new(-0.02, -100.0)?);
     /// assert!(Schedule::new(-0.02, 100.0).is_err());
-    /// # Ok::<(), heavytop_cli::Error>(())
+    /// # Ok::<(), lie_poisson_runs::RunFailure>(())
     /// ```
-    pub fn new(step: f64, end: f64) -> Result<Self, Error> {
+    pub fn new(step: f64, end: f64) -> Result<Self, RunFailure> {
         let step = directed_step(step, end)?;
         let steps = (end / step).round();
         if steps > MOST_STEPS {
-            return Err(Error::TooManySteps { steps, most: MOST_STEPS });
+            return Err(RunFailure::TooManySteps { steps, most: MOST_STEPS });
         }
         if (steps * step - end).abs() > SLACK * end.abs() {
             let before = (end / step).floor();
             let [before, after] = [before, before + 1.0].map(|n| short(n * step));
-            return Err(Error::BrokenStep { end, step, before, after });
+            return Err(RunFailure::BrokenStep { end, step, before, after });
         }
         Ok(Self { step, steps: steps as u64 })
     }

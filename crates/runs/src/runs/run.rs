@@ -2,9 +2,8 @@
 
 use super::moment::{Moment, Saved};
 use super::pace::Pace;
-use super::run_check::RunCheck;
 use super::schedule::Schedule;
-use crate::Error;
+use crate::RunFailure;
 use collective_integrators::diagnostics::{RunAccuracy, StepCheck};
 use collective_integrators::{AnyIntegrator, AnyState, Integrator, RunError, SampleOf, Start};
 use heavytop::methods::{Formulation, SchemeName};
@@ -12,10 +11,10 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 /// The sample of a run.
-pub(super) type AnySample = SampleOf<AnyIntegrator>;
+pub type AnySample = SampleOf<AnyIntegrator>;
 
 /// Replaces a row by that of a sample.
-pub(super) type Fill<'a> = dyn FnMut(&mut Vec<f64>, &AnySample) -> Result<(), Error> + 'a;
+pub type Fill<'a> = dyn FnMut(&mut Vec<f64>, &AnySample) -> Result<(), RunFailure> + 'a;
 
 /// A top or another Lie–Poisson system, its initial state, and the method and steps by which it is followed.
 pub trait Run {
@@ -29,7 +28,7 @@ pub trait Run {
     ///
     /// # Errors
     /// If one has no value there.
-    fn initial(&self) -> Result<Vec<f64>, Error>;
+    fn initial(&self) -> Result<Vec<f64>, RunFailure>;
 
     /// Returns whether the attitude is followed.
     fn has_attitude(&self) -> bool;
@@ -44,7 +43,7 @@ pub trait Run {
     ///
     /// # Errors
     /// If there is no such integrator, or the formulation does not determine the attitude that is asked for.
-    fn begin(&self) -> Result<(AnyIntegrator, AnyState), Error>;
+    fn begin(&self) -> Result<(AnyIntegrator, AnyState), RunFailure>;
 
     /// Returns what replaces a row by that of a sample: the time, the coordinates, the conserved quantities and the
     /// attitude, if it is followed. It fails where a conserved quantity has no value.
@@ -55,7 +54,7 @@ pub trait Run {
     ///
     /// # Errors
     /// If there is no such integrator.
-    fn accuracy(&self, going: &dyn Fn() -> bool) -> Result<RunAccuracy, Error>;
+    fn accuracy(&self, going: &dyn Fn() -> bool) -> Result<RunAccuracy, RunFailure>;
 
     /// Repeats the whole run with half the step and with twice the step, unless `going` tells it to end.
     ///
@@ -64,19 +63,19 @@ pub trait Run {
     fn compared(
         &self,
         going: &dyn Fn() -> bool,
-    ) -> Result<Result<Option<StepCheck>, RunError>, Error>;
+    ) -> Result<Result<Option<StepCheck>, RunError>, RunFailure>;
 
     /// Returns a warning for users about what the method does not conserve.
     ///
     /// # Errors
     /// If there is no such method.
-    fn warning(&self) -> Result<Option<String>, Error>;
+    fn warning(&self) -> Result<Option<String>, RunFailure>;
 
     /// Returns what the summary of the run tells of a system.
     ///
     /// # Errors
     /// If there is no such method.
-    fn described(&self) -> Result<Described, Error>;
+    fn described(&self) -> Result<Described, RunFailure>;
 
     /// Returns the last coordinates for the summary, by their names there.
     fn last(&self, row: &[f64]) -> Map<String, Value>;
@@ -112,10 +111,16 @@ impl dyn Run + '_ {
     ///
     /// # Example
     /// ```
-    /// use heavytop_cli::configuration::Config;
-    /// let run = Config::default().run()?;
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+    /// use lie_poisson_runs::{RunFailure, Pace, Run, Schedule, SystemExperiment};
+    /// let algebra = SystemAlgebra::named("so(3)")?;
+    /// let method = SystemMethod::new(&algebra, "collective".parse()?, "gauss-4".parse()?, 0.0)?;
+    /// let system = FormulaSystem::new(algebra, "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2", &Default::default())?;
+    /// let pace = Pace { schedule: Schedule::new(0.1, 200.0)?, every: 500 };
+    /// let run = SystemExperiment { system, start: vec![1.0, 2.0, 0.5], method, pace };
+    /// let run: &dyn Run = &run;
     /// let (mut saved, mut last) = (None, None);
-    /// run.follow(None, |moment| {
+    /// run.follow(None, |moment| -> Result<(), RunFailure> {
     ///     if moment.step == 1024 {
     ///         saved = Some(moment.saved());
     ///     }
@@ -123,15 +128,15 @@ impl dyn Run + '_ {
     ///     Ok(())
     /// })?;
     /// let mut again = None;
-    /// run.follow(saved.as_ref(), |moment| Ok(again = Some(moment.row.to_vec())))?;
-    /// assert_eq!(last, again);
-    /// # Ok::<(), heavytop_cli::Error>(())
+    /// run.follow(saved.as_ref(), |moment| Ok::<_, RunFailure>(again = Some(moment.row.to_vec())))?;
+    /// assert!(saved.is_some() && last == again);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn follow(
+    pub fn follow<E: From<RunFailure>>(
         &self,
         from: Option<&Saved>,
-        mut visit: impl FnMut(&Moment<'_>) -> Result<(), Error>,
-    ) -> Result<(), Error> {
+        mut visit: impl FnMut(&Moment<'_>) -> Result<(), E>,
+    ) -> Result<(), E> {
         let (mut fill, mut row) = (self.rows(), Vec::new());
         visit_samples(self, from, &mut |sample| {
             fill(&mut row, sample)?;
@@ -143,16 +148,8 @@ impl dyn Run + '_ {
     ///
     /// # Errors
     /// Those of [`Run::begin`].
-    pub fn dimension(&self) -> Result<usize, Error> {
+    pub fn dimension(&self) -> Result<usize, RunFailure> {
         Ok(self.begin()?.0.state_dimension())
-    }
-
-    /// Checks the whole run by runs with half the step and with twice the step, unless `going` tells the check to end.
-    ///
-    /// # Errors
-    /// If a step fails.
-    pub fn check(&self, going: &dyn Fn() -> bool) -> Result<RunCheck, Error> {
-        RunCheck::of(self.compared(going)?, self.method())
     }
 }
 
@@ -160,19 +157,19 @@ impl dyn Run + '_ {
 ///
 /// # Errors
 /// If the start has no lift, the saved state does not fit, a step fails, or `visit` fails.
-pub(super) fn visit_samples(
+pub(super) fn visit_samples<E: From<RunFailure>>(
     run: &dyn Run,
     from: Option<&Saved>,
-    visit: &mut dyn FnMut(&AnySample) -> Result<(), Error>,
-) -> Result<(), Error> {
+    visit: &mut dyn FnMut(&AnySample) -> Result<(), E>,
+) -> Result<(), E> {
     let ((integrator, start), pace) = (run.begin()?, run.pace());
     let Schedule { step, steps } = pace.schedule;
     let (mut trajectory, made) = match from {
-        None => (integrator.trajectory(&start, step)?, 0),
+        None => (integrator.trajectory(&start, step).map_err(RunFailure::from)?, 0),
         Some(Saved { step: made, state }) => {
             let (expected, found) = (integrator.state_dimension(), state.len());
             if expected != found {
-                return Err(Error::SavedState { expected, found });
+                return Err(RunFailure::SavedState { expected, found }.into());
             }
             let state = AnyState::from_slice(state);
             (integrator.trajectory_resumed(state, *made, step), *made)
@@ -185,10 +182,7 @@ pub(super) fn visit_samples(
     let mut visited = from.map_or(0, |_| pace.next_visited(made));
     let mut following = made;
     while let Some(sample) = trajectory.nth(visited.saturating_sub(following) as usize) {
-        let sample = sample.map_err(|source| {
-            let (formulation, scheme) = run.method();
-            Error::Integration { formulation: formulation.name(), scheme: scheme.name(), source }
-        })?;
+        let sample = sample.map_err(|source| RunFailure::of_step(run.method(), source))?;
         visit(&sample)?;
         if sample.step >= steps {
             break;

@@ -1,11 +1,12 @@
 //! Warnings about what a method does not conserve.
 
-use crate::Error;
+use crate::RunFailure;
 use heavytop::methods::{Method, SchemeName};
 use lie_poisson_formula_systems::{FormulaSystem, SystemMethod};
 
 /// Returns a warning for users about what the method does not conserve.
-pub(crate) fn method_warning(method: &Method) -> Option<String> {
+#[must_use]
+pub fn method_warning(method: &Method) -> Option<String> {
     matches!(method.scheme(), SchemeName::Partitioned(_)).then(|| {
         format!(
             "warning: {} does not descend from T*C² to se(3)*: what comes out depends on the lift, \
@@ -16,11 +17,14 @@ pub(crate) fn method_warning(method: &Method) -> Option<String> {
 }
 
 /// Returns a warning for users about what the method of a system does not conserve for runs from a state.
-pub(crate) fn system_warning(
+///
+/// # Errors
+/// If there is no such method.
+pub fn system_warning(
     method: &SystemMethod,
     system: &FormulaSystem,
     start: &[f64],
-) -> Result<Option<String>, Error> {
+) -> Result<Option<String>, RunFailure> {
     let descends = method.descends(system, start)?;
     Ok((!descends).then(|| {
         format!(

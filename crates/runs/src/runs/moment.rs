@@ -11,7 +11,7 @@ pub struct Moment<'a> {
     /// The numbers of the row.
     pub row: &'a [f64],
     /// The state that the integrator advances.
-    pub(super) state: &'a AnyState,
+    pub(crate) state: &'a AnyState,
 }
 
 /// The data from which a run continues.

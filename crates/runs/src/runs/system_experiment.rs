@@ -4,7 +4,7 @@ use super::method_warning::system_warning;
 use super::pace::Pace;
 use super::run::{Described, Fill, Run};
 use super::schedule::Schedule;
-use crate::Error;
+use crate::RunFailure;
 use collective_integrators::diagnostics::{RunAccuracy, StepCheck};
 use collective_integrators::{AnyIntegrator, AnyState, RunError};
 use heavytop::methods::{Formulation, SchemeName};
@@ -44,7 +44,7 @@ impl Run for SystemExperiment {
         ["h".to_owned()].into_iter().chain(self.casimirs()).collect()
     }
 
-    fn initial(&self) -> Result<Vec<f64>, Error> {
+    fn initial(&self) -> Result<Vec<f64>, RunFailure> {
         Ok(self.system.invariants(&self.start)?)
     }
 
@@ -60,7 +60,7 @@ impl Run for SystemExperiment {
         self.pace
     }
 
-    fn begin(&self) -> Result<(AnyIntegrator, AnyState), Error> {
+    fn begin(&self) -> Result<(AnyIntegrator, AnyState), RunFailure> {
         let integrator = self.method.integrator(&self.system, &self.start)?;
         Ok((integrator.without_tangents(), AnyState::from_slice(&self.start)))
     }
@@ -72,16 +72,15 @@ impl Run for SystemExperiment {
             row.push(time);
             row.extend_from_slice(mu);
             let invariants = self.system.invariants(mu);
-            row.extend(invariants.map_err(|source| Error::NoValue {
-                start: None,
-                time,
-                source: Box::new(source),
-            })?);
+            row.extend(
+                invariants
+                    .map_err(|source| RunFailure::NoValue { time, source: Box::new(source) })?,
+            );
             Ok(())
         })
     }
 
-    fn accuracy(&self, going: &dyn Fn() -> bool) -> Result<RunAccuracy, Error> {
+    fn accuracy(&self, going: &dyn Fn() -> bool) -> Result<RunAccuracy, RunFailure> {
         let Schedule { step, steps } = self.pace.schedule;
         Ok(self.method.accuracy(&self.system, &self.start, (step, steps), going)?)
     }
@@ -89,16 +88,16 @@ impl Run for SystemExperiment {
     fn compared(
         &self,
         going: &dyn Fn() -> bool,
-    ) -> Result<Result<Option<StepCheck>, RunError>, Error> {
+    ) -> Result<Result<Option<StepCheck>, RunError>, RunFailure> {
         let Schedule { step, steps } = self.pace.schedule;
         Ok(self.method.check(&self.system, &self.start, (step, steps), going)?)
     }
 
-    fn warning(&self) -> Result<Option<String>, Error> {
+    fn warning(&self) -> Result<Option<String>, RunFailure> {
         system_warning(&self.method, &self.system, &self.start)
     }
 
-    fn described(&self) -> Result<Described, Error> {
+    fn described(&self) -> Result<Described, RunFailure> {
         let formulas = self.system.casimirs().iter().map(|casimir| casimir.to_string().into());
         Ok(Described {
             algebra: Some(self.system.algebra().name().into()),

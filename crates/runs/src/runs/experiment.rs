@@ -4,7 +4,7 @@ use super::method_warning::method_warning;
 use super::pace::Pace;
 use super::run::{Described, Fill, Run, visit_samples};
 use super::schedule::Schedule;
-use crate::Error;
+use crate::RunFailure;
 use collective_integrators::diagnostics::{RunAccuracy, StepCheck};
 use collective_integrators::{AnyIntegrator, AnyState, RunError};
 use heavytop::methods::{Formulation, Method, SchemeName, attitude_of};
@@ -36,9 +36,9 @@ impl Experiment {
     /// # Errors
     /// If the initial state has no lift, a step fails, `visit` fails, or the formulation does not determine the attitude
     /// that is asked for.
-    pub fn run<V>(&self, mut visit: V) -> Result<(), Error>
+    pub fn run<E: From<RunFailure>, V>(&self, mut visit: V) -> Result<(), E>
     where
-        V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), Error>,
+        V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), E>,
     {
         visit_samples(self, None, &mut |sample| {
             let attitude = self.attitude.then(|| attitude_of(sample.state.as_slice()));
@@ -68,7 +68,7 @@ impl Run for Experiment {
         self.invariants().into_iter().map(|invariant| invariant.symbol().into()).collect()
     }
 
-    fn initial(&self) -> Result<Vec<f64>, Error> {
+    fn initial(&self) -> Result<Vec<f64>, RunFailure> {
         Ok(self.invariants().into_iter().map(|f| f.value(&self.top, &self.start)).collect())
     }
 
@@ -84,13 +84,13 @@ impl Run for Experiment {
         self.pace
     }
 
-    fn begin(&self) -> Result<(AnyIntegrator, AnyState), Error> {
+    fn begin(&self) -> Result<(AnyIntegrator, AnyState), RunFailure> {
         let formulation = self.method.formulation();
         let integrator = match self.attitude {
             true => self
                 .method
                 .integrator_with_attitude(&self.top)?
-                .ok_or(Error::NoAttitude { formulation })?,
+                .ok_or(RunFailure::NoAttitude { formulation })?,
             false => self.method.integrator(&self.top)?,
         };
         Ok((integrator, AnyState::of(&self.start)))
@@ -117,7 +117,7 @@ impl Run for Experiment {
         })
     }
 
-    fn accuracy(&self, going: &dyn Fn() -> bool) -> Result<RunAccuracy, Error> {
+    fn accuracy(&self, going: &dyn Fn() -> bool) -> Result<RunAccuracy, RunFailure> {
         let Schedule { step, steps } = self.pace.schedule;
         Ok(self.method.accuracy(&self.top, &self.start, (step, steps), going)?)
     }
@@ -125,16 +125,16 @@ impl Run for Experiment {
     fn compared(
         &self,
         going: &dyn Fn() -> bool,
-    ) -> Result<Result<Option<StepCheck>, RunError>, Error> {
+    ) -> Result<Result<Option<StepCheck>, RunError>, RunFailure> {
         let Schedule { step, steps } = self.pace.schedule;
         Ok(self.method.check(&self.top, &self.start, (step, steps), going)?)
     }
 
-    fn warning(&self) -> Result<Option<String>, Error> {
+    fn warning(&self) -> Result<Option<String>, RunFailure> {
         Ok(method_warning(&self.method))
     }
 
-    fn described(&self) -> Result<Described, Error> {
+    fn described(&self) -> Result<Described, RunFailure> {
         Ok(Described::default())
     }
 

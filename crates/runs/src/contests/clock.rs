@@ -1,7 +1,7 @@
 //! The measurement of computing times and errors.
 
-use super::problem::{BenchProblem, EARLY};
-use crate::Error;
+use super::problem::{EARLY, TimedProblem};
+use crate::RunFailure;
 use lie_poisson::{BlockScales, Covector, Pair, Se3Dual};
 use serde::Serialize;
 use std::hint::black_box;
@@ -18,7 +18,7 @@ const MOST: Duration = Duration::from_secs(4);
 
 /// The computing time and the error of an integrator with one step size.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Run {
+pub struct TimedRun {
     /// The name of the integrator.
     pub name: String,
     /// The step size, as `h = 0.25`; s.
@@ -52,9 +52,9 @@ pub struct Run {
 pub(super) fn measure(
     name: &str,
     step: f64,
-    problem: &BenchProblem,
-    mut run: impl FnMut(u64) -> Result<Vec<Se3Dual>, Error>,
-) -> Result<Run, Error> {
+    problem: &TimedProblem,
+    run: &mut dyn FnMut(u64) -> Result<Vec<Se3Dual>, RunFailure>,
+) -> Result<TimedRun, RunFailure> {
     let steps = |time: f64| (time / step).round() as u64;
     let sizes: Vec<_> = problem.sizes().collect();
     let [error_10, relative_error_10] = mean_errors(&run(steps(EARLY))?, &problem.early, &sizes);
@@ -67,7 +67,7 @@ pub(super) fn measure(
         least = least.min(started.elapsed());
         repeats += 1;
     }
-    Ok(Run {
+    Ok(TimedRun {
         name: name.to_owned(),
         setting: format!("h = {step}"),
         tops: problem.tops,

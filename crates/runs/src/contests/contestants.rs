@@ -1,8 +1,8 @@
 //! The integrators that are timed.
 
-use super::clock::{Run, measure};
-use super::problem::BenchProblem;
-use crate::Error;
+use super::clock::{TimedRun, measure};
+use super::problem::TimedProblem;
+use crate::RunFailure;
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, Chunk, Collective, Direct, Ensemble, HamiltonianField,
     IntegrationError, Laned, LiftFree, RungeKutta, SchemeError, Splitting, StagesInLanes, Start,
@@ -22,23 +22,23 @@ use std::sync::{Mutex, PoisonError};
 const FEW: usize = 1000;
 
 /// The task of timing the integrators that suit a problem.
-pub(super) struct Contest<'a, D> {
+pub struct Contest<'a> {
     /// The tops and their references.
-    pub problem: &'a BenchProblem,
+    pub problem: &'a TimedProblem,
     /// A part of the names of the integrators to time; `None` times all of them.
     pub only: Option<&'a str>,
     /// The names of the integrators that are not timed.
     pub others: &'a mut BTreeSet<String>,
     /// The function that receives each result.
-    pub done: D,
+    pub done: &'a mut dyn FnMut(TimedRun),
 }
 
-impl<D: FnMut(Run)> Contest<'_, D> {
+impl Contest<'_> {
     /// Times the integrators that suit the problem.
     ///
     /// # Errors
     /// If a step of an integrator fails.
-    pub(super) fn run(&mut self) -> Result<(), Error> {
+    pub fn run(&mut self) -> Result<(), RunFailure> {
         if self.problem.tops == 1 { one_top(self) } else { many_tops(self) }
     }
 
@@ -55,12 +55,12 @@ impl<D: FnMut(Run)> Contest<'_, D> {
         name: &str,
         step: f64,
         integrator: &I,
-    ) -> Result<(), Error> {
+    ) -> Result<(), RunFailure> {
         if !self.wants(name) {
             return Ok(());
         }
         let problem = self.problem;
-        let run = measure(name, step, problem, |steps| {
+        let run = measure(name, step, problem, &mut |steps| {
             let mut state = integrator.start(&problem.start(0))?;
             let mut workspace = integrator.workspace();
             for n in 0..steps {
@@ -82,12 +82,12 @@ impl<D: FnMut(Run)> Contest<'_, D> {
         integrator: B,
         member: impl Fn(Se3Dual) -> B::Member + Sync,
         state: impl Fn(&B::Member) -> Se3Dual + Sync,
-    ) -> Result<(), Error> {
+    ) -> Result<(), RunFailure> {
         if !self.wants(name) {
             return Ok(());
         }
         let (problem, ensemble) = (self.problem, Ensemble::new(integrator));
-        let run = measure(name, step, problem, |steps| {
+        let run = measure(name, step, problem, &mut |steps| {
             let results = Mutex::new((problem.starts.clone(), None));
             let start = |index| member(problem.start(index));
             ensemble.stream(problem.tops, start, step, steps, |chunk: Chunk<'_, B::Member>| {
@@ -104,7 +104,7 @@ impl<D: FnMut(Run)> Contest<'_, D> {
     }
 }
 
-fn one_top(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
+fn one_top(contest: &mut Contest<'_>) -> Result<(), RunFailure> {
     let top = contest.problem.top;
     for (stages, step) in [
         (8, 0.4),
@@ -148,7 +148,7 @@ fn one_top(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     Ok(())
 }
 
-fn many_tops(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
+fn many_tops(contest: &mut Contest<'_>) -> Result<(), RunFailure> {
     let top = contest.problem.top;
     for step in [0.4, 1.0 / 3.0, 0.25] {
         let gauss = GaussBatch::<8>::new().map_err(refused)?;
@@ -170,7 +170,7 @@ fn many_tops(contest: &mut Contest<'_, impl FnMut(Run)>) -> Result<(), Error> {
     // These integrators are much slower. The time for a top does not depend on the number of tops.
     let few = contest.problem.first(FEW);
     let Contest { only, others, done, .. } = contest;
-    let mut contest = Contest { problem: &few, only: *only, others, done };
+    let mut contest = Contest { problem: &few, only: *only, others, done: &mut **done };
     let gauss = RungeKutta::gauss(8).map_err(refused)?;
     let general = Laned::widest(LiftFree::new(gauss, DualQuaternions, top));
     let name = "heavytop any system: Gauss-16";
@@ -199,10 +199,10 @@ fn splittings() -> [(&'static str, f64, AlternatingSubsteps); 8] {
     ]
 }
 
-fn failed(name: &str, source: IntegrationError) -> Error {
-    Error::Timed { name: name.to_owned(), source }
+fn failed(name: &str, source: IntegrationError) -> RunFailure {
+    RunFailure::Timed { name: name.to_owned(), source }
 }
 
-fn refused(reason: SchemeError) -> Error {
+fn refused(reason: SchemeError) -> RunFailure {
     MethodError::Scheme { scheme: SchemeName::Gauss(8), reason }.into()
 }

@@ -33,7 +33,7 @@ impl Pace {
     }
 
     /// Returns the number of the next step, after `step`, whose sample is visited.
-    pub(super) fn next_visited(&self, step: u64) -> u64 {
+    pub(crate) fn next_visited(&self, step: u64) -> u64 {
         let after = |stride: u64| (step - step % stride).saturating_add(stride);
         after(self.every.max(1)).min(after(CHECKPOINT)).min(self.schedule.steps)
     }

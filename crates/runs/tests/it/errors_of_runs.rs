@@ -1,0 +1,100 @@
+//! Every error of a run is what some call returns, and names the values.
+
+use crate::support::{experiment, of_formula, pace};
+use collective_integrators::AnyState;
+use heavytop::methods::{Formulation, MethodError, SchemeName};
+use lie_poisson::Se3Dual;
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+use lie_poisson_formulas::{Coordinates, Parameters};
+use lie_poisson_runs::contests::{Contest, TimedProblem};
+use lie_poisson_runs::{Run, RunFailure, Saved, Schedule, TangentGrowth, step_angle};
+use nalgebra::Vector3;
+use std::collections::BTreeSet;
+
+fn followed(run: &dyn Run, from: Option<&Saved>) -> RunFailure {
+    run.follow(from, |_| Ok::<_, RunFailure>(())).unwrap_err()
+}
+
+fn timed(start: Se3Dual) -> RunFailure {
+    let states = vec![start];
+    let (early, late) = (states.clone(), states.clone());
+    let problem = TimedProblem {
+        top: experiment("collective", "gauss-4", pace(0.1, 1.0, 1)).top,
+        end: 20.0,
+        tops: 1,
+        starts: states,
+        early,
+        late,
+    };
+    let (mut others, mut done) = (BTreeSet::new(), |_| ());
+    let only = Some("Gauss-12");
+    Contest { problem: &problem, only, others: &mut others, done: &mut done }.run().unwrap_err()
+}
+
+/// Returns the variants in the source.
+fn declared() -> BTreeSet<String> {
+    let lines = include_str!("../../src/error.rs").lines();
+    let variants = lines.filter_map(|line| line.strip_prefix("    "));
+    let variants = variants.filter(|line| line.starts_with(|c: char| c.is_ascii_uppercase()));
+    let name = |line: &str| line.split(|c: char| !c.is_alphanumeric()).next().map(str::to_owned);
+    variants.filter_map(name).collect()
+}
+
+/// Follows a tangent vector of z from the origin, where all of them have the image 0.
+fn lost() -> RunFailure {
+    let algebra = SystemAlgebra::of_brackets(
+        Coordinates::scalars(["x", "y", "z"]).unwrap(),
+        [("x, y", "z"), ("x, z", "y")],
+        &Parameters::new(),
+    );
+    let system = FormulaSystem::new(algebra.unwrap(), "x + y^2", &Parameters::new()).unwrap();
+    let names = (Formulation::Collective, SchemeName::Gauss(4));
+    let method = SystemMethod::new(system.algebra(), names.0, names.1, 0.0).unwrap();
+    let origin = [0.0; 3];
+    let integrator = method.integrator(&system, &origin).unwrap();
+    let (origin, schedule) = (AnyState::from_slice(&origin), Schedule::new(1.0, 3.0).unwrap());
+    TangentGrowth::follow(&integrator, &origin, schedule, (1, names), &mut |_, _| ()).unwrap_err()
+}
+
+#[test]
+fn every_error_names_what_is_wrong() {
+    let run = experiment("collective", "gauss-4", pace(0.1, 1.0, 1));
+    let mut no_start = run;
+    no_start.start = Se3Dual::new(Vector3::zeros(), Vector3::zeros());
+    let mut no_attitude = experiment("direct", "rk4", pace(0.1, 1.0, 1));
+    no_attitude.attitude = true;
+    let failing = experiment("collective", "lobatto-iiia-iiib-4", pace(2.0, 4.0, 1));
+    let algebra = ("so(3)", "Pi1 + 1e-9*ln(Pi2)");
+    let no_value = of_formula(algebra, &[0.0, 1.0, 0.0], ("direct", "rk4"), pace(0.1, 5.0, 1));
+    let mut of_another = no_value.clone();
+    of_another.start.pop();
+    let fast = Se3Dual::new(Vector3::new(0.0, 0.0, 1e200), Vector3::z());
+    let schedule = |step, end| Schedule::new(step, end).unwrap_err();
+    let early = TimedProblem::with_references(run.top, 10.0, vec![run.start]).unwrap_err();
+    let errors = [
+        (followed(&no_start, None), "no lift"),
+        (RunFailure::from(MethodError::Tolerance { value: -1.0 }), "-1"),
+        (followed(&of_another, None), "2"),
+        (followed(&no_attitude, None), "direct has no attitude"),
+        (followed(&run, Some(&Saved { step: 1024, state: vec![0.0] })), "has 1 numbers"),
+        (schedule(0.0, 1.0), "step must be finite and different from 0, got 0"),
+        (schedule(-0.1, 1.0), "-0.1 s do not reach end = 1"),
+        (step_angle::require_turn(1.0, 1e3).unwrap_err(), "1.000e3 rad; it must be at most 100"),
+        (schedule(1e-300, 1.0), "more than 1e12"),
+        (schedule(0.03, 1.0), "the nearest ends are 0.99 and 1.02"),
+        (followed(&failing, None), "collective, lobatto-iiia-iiib-4"),
+        (followed(&no_value, None), "at t = "),
+        (lost(), "tangent vector"),
+        (early, "more than 10, got 10"),
+        (timed(fast), "Gauss-12"),
+    ];
+    let variant = |error: &RunFailure| {
+        let text = format!("{error:?}");
+        text.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default().to_owned()
+    };
+    let found: BTreeSet<String> = errors.iter().map(|(error, _)| variant(error)).collect();
+    assert_eq!(found, declared());
+    for (error, part) in errors {
+        assert!(error.to_string().contains(part), "{error}: {part}");
+    }
+}

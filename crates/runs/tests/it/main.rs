@@ -1,0 +1,7 @@
+//! Tests of runs, of their errors, and of the timing of integrators.
+#![allow(clippy::unwrap_used)]
+
+mod contests;
+mod errors_of_runs;
+mod rows_of_runs;
+mod support;

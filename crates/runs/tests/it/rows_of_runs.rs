@@ -1,0 +1,91 @@
+//! The rows of a run are the samples of its integrator, whatever it follows.
+
+use crate::support::{START, experiment, of_formula, pace, top};
+use collective_integrators::{AnyState, Start};
+use lie_poisson_runs::{Run, RunFailure};
+
+/// Returns the rows that a run writes.
+fn rows(run: &dyn Run) -> Vec<Vec<f64>> {
+    let (mut rows, pace) = (Vec::new(), run.pace());
+    let visit = |moment: &lie_poisson_runs::Moment<'_>| -> Result<(), RunFailure> {
+        if pace.keeps(moment.step) {
+            rows.push(moment.row.to_vec());
+        }
+        Ok(())
+    };
+    run.follow(None, visit).unwrap();
+    rows
+}
+
+/// The Hamiltonian of the top of the tests as a formula.
+const HAMILTONIAN: &str = "(Pi1^2/2 + Pi2^2/3 + Pi3^2/4)/2 + (Gamma1 + Gamma3)/2";
+
+/// One top as a top and as a system by formula has the same rows, to the round-off of the two forms of its equations.
+#[test]
+fn a_top_and_its_formula_have_the_same_rows() {
+    for (formulation, scheme) in
+        [("collective", "gauss-8"), ("reduced", "gauss-4"), ("direct", "rk4")]
+    {
+        let pace = pace(0.05, 10.0, 50);
+        let as_top = rows(&experiment(formulation, scheme, pace));
+        let formula = of_formula(("se(3)", HAMILTONIAN), &START, (formulation, scheme), pace);
+        let as_system = rows(&formula);
+        assert_eq!((as_top.len(), as_system.len()), (5, 5));
+        for (one, other) in as_top.iter().zip(&as_system) {
+            for (x, y) in one.iter().zip(other).take(8) {
+                assert!((x - y).abs() < 1e-12, "{formulation} {one:?} {other:?}");
+            }
+        }
+        // Control: the motion is far from its start.
+        assert!((as_top[4][1] - START[0]).abs() > 0.01);
+    }
+}
+
+/// The columns are named, the conserved quantities have the initial values that are told, and the last row is that of the
+/// integrator itself.
+#[test]
+fn rows_have_the_columns_that_are_named() {
+    let run = experiment("collective", "gauss-4", pace(0.1, 3.0, 7));
+    let columns: usize = run.coordinates().iter().map(|(_, columns)| columns.len()).sum();
+    let rows = rows(&run);
+    assert_eq!(rows[0].len(), 1 + columns + run.conserved().len());
+    assert_eq!(rows[0][1 + columns..], run.initial().unwrap());
+    // 0, 7, 14, 21, 28 and 30
+    assert_eq!((rows.len() as u64, rows.len()), (run.pace.rows(), 6));
+    let integrator = run.method.integrator(&top()).unwrap();
+    let end = integrator.after(&AnyState::of(&run.start), 0.1, 30).unwrap().momentum;
+    assert_eq!(rows[5][1..7], *end.as_slice());
+}
+
+/// A run goes on from a saved moment to the same bits.
+#[test]
+fn a_run_goes_on_from_a_saved_moment() {
+    let top = experiment("collective", "gauss-8", pace(0.05, 150.0, 1000));
+    let body = of_formula(
+        ("so(3)", "Pi1^2/4 + Pi2^2/6 + Pi3^2/8 + Pi1"),
+        &[0.3, 1.0, -0.2],
+        ("collective", "gauss-6"),
+        pace(0.05, 150.0, 1000),
+    );
+    for run in [&top as &dyn Run, &body] {
+        let (mut saved, mut last) = (None, Vec::new());
+        let visit = |moment: &lie_poisson_runs::Moment<'_>| -> Result<(), RunFailure> {
+            if moment.step == 2048 {
+                saved = Some(moment.saved());
+            }
+            last = moment.row.to_vec();
+            Ok(())
+        };
+        run.follow(None, visit).unwrap();
+        let (mut again, mut first) = (Vec::new(), None);
+        let visit = |moment: &lie_poisson_runs::Moment<'_>| -> Result<(), RunFailure> {
+            first.get_or_insert(moment.step);
+            again = moment.row.to_vec();
+            Ok(())
+        };
+        run.follow(saved.as_ref(), visit).unwrap();
+        assert_eq!(again, last);
+        // Control: the moments before are not made again.
+        assert!(first > Some(2048), "{first:?}");
+    }
+}

@@ -1,0 +1,56 @@
+//! Runs that the tests share.
+
+use heavytop::methods::Method;
+use heavytop::{HeavyTop, PrincipalAxes};
+use lie_poisson::Se3Dual;
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+use lie_poisson_formulas::Parameters;
+use lie_poisson_runs::{Experiment, Pace, Schedule, SystemExperiment};
+use nalgebra::Vector3;
+
+pub const INERTIA: [f64; 3] = [2.0, 3.0, 4.0];
+pub const START: [f64; 6] = [1.0, -0.4, 0.7, 0.6, 0.0, 0.8];
+
+/// Returns the steps of a run to `end`, of which every n-th is written.
+pub fn pace(step: f64, end: f64, every: u64) -> Pace {
+    Pace { schedule: Schedule::new(step, end).unwrap(), every }
+}
+
+/// Returns a top without symmetry, whose weight is (0.5, 0, 0.5) in the units of Γ.
+pub fn top() -> HeavyTop {
+    HeavyTop::new(&heavytop::Body {
+        inertia: Vector3::from(INERTIA),
+        mass: 1.0,
+        gravity: 0.5_f64.sqrt(),
+        length: 1.0,
+        center_of_mass: Vector3::new(1.0, 0.0, 1.0).normalize(),
+    })
+    .unwrap()
+}
+
+/// Returns a run of the top.
+pub fn experiment(formulation: &str, scheme: &str, pace: Pace) -> Experiment {
+    let [a, b, c, x, y, z] = START;
+    Experiment {
+        top: top(),
+        axes: PrincipalAxes::aligned(Vector3::from(INERTIA)),
+        start: Se3Dual::new(Vector3::new(a, b, c), Vector3::new(x, y, z)),
+        method: Method::new(formulation.parse().unwrap(), scheme.parse().unwrap(), 0.0).unwrap(),
+        pace,
+        attitude: false,
+    }
+}
+
+/// Returns a run of a system whose Hamiltonian is a formula.
+pub fn of_formula(
+    (algebra, hamiltonian): (&str, &str),
+    start: &[f64],
+    (formulation, scheme): (&str, &str),
+    pace: Pace,
+) -> SystemExperiment {
+    let algebra = SystemAlgebra::named(algebra).unwrap();
+    let (formulation, scheme) = (formulation.parse().unwrap(), scheme.parse().unwrap());
+    let method = SystemMethod::new(&algebra, formulation, scheme, 0.0).unwrap();
+    let system = FormulaSystem::new(algebra, hamiltonian, &Parameters::new()).unwrap();
+    SystemExperiment { system, start: start.to_vec(), method, pace }
+}
