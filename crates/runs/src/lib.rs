@@ -37,16 +37,25 @@
 //! | equal steps to an end, and which of them are written | [`Schedule`], [`Pace`] |
 //! | how tangent vectors grow: Lyapunov exponent, MEGNO, alignment | [`TangentGrowth`] |
 //! | to refuse steps that turn a motion absurdly far | [`step_angle`] |
-//! | computing times and errors of the integrators of tops | [`contests`] |
+//! | computing times and errors of the integrators of tops | `contests`, with the feature `contests` |
 //!
 //! # Conventions
 //!
 //! All numbers are in SI units. Π and Γ are in the body frame. Symbols, signs and sides are those of the crates
 //! [`heavytop`] and [`lie_poisson_formula_systems`]. The notation of all the crates is collected in `docs/notation.md` of
-//! the source repository. The oldest supported compiler is Rust 1.89.
+//! the source repository.
+//!
+//! # Features and versions
+//!
+//! The feature `contests` adds the module of this name. It compiles every kernel of the crate [`heavytop`], which takes about as
+//! long as the rest. The oldest supported compiler is Rust 1.89.
+
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod error;
 mod runs;
+#[cfg(feature = "contests")]
+#[cfg_attr(docsrs, doc(cfg(feature = "contests")))]
 pub mod contests;
 
 pub use error::RunFailure;

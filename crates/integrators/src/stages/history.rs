@@ -95,38 +95,22 @@ impl<V: State> StageHistory<V> {
         let frame = field.stage_frame();
         self.keep_where(z, size, predictor, &frame);
         let guessed = self.guess(predictor, &frame, k, spare);
+        if !guessed.all() {
+            begin(field, z, guessed, (k, spare));
+        }
         let none = MaskOf::<V>::from_bool(false);
-        let (mut done, mut first, mut anew) = (guessed, None, unknown());
-        // The iteration stands at one place, to be inlined there.
-        let outcome = loop {
-            if !done.all() {
-                begin(field, z, done, (k, spare));
-            }
-            let (second, pace) = match &first {
-                None => (none, &mut self.pace),
-                Some(_) => (done, &mut anew),
-            };
-            let in_lanes = match first {
-                None => equations.solve_in_lanes(solver, k, pace),
-                Some(_) => None,
-            };
-            let outcome = match in_lanes {
-                Some(outcome) => outcome,
-                None => solver.solve_from(second, scale, k, spare, pace, &mut equations),
-            };
-            match (outcome, first) {
-                (outcome, Some(first)) => break retried(&first, guessed, outcome),
-                (Ok(iterations), None) => break Ok(iterations),
-                (Err(failed), None) => {
-                    let misled = guessed.and(failed.converged.not());
-                    if !(V::Scalar::HAS_SLOW_PATHS && misled.any()) {
-                        break Err(failed);
-                    }
-                    done = misled.not();
-                    first = Some(failed);
-                }
-            }
+        let mut outcome = match equations.solve_in_lanes(solver, k, &mut self.pace) {
+            Some(outcome) => outcome,
+            None => solver.solve_from(none, scale, k, spare, &mut self.pace, &mut equations),
         };
+        if let Err(first) = &outcome {
+            let misled = guessed.and(first.converged.not());
+            if V::Scalar::HAS_SLOW_PATHS && misled.any() {
+                begin(field, z, misled.not(), (k, spare));
+                let second = again(solver, misled.not(), scale, (k, spare), &mut equations);
+                outcome = retried(first, guessed, second);
+            }
+        }
         let converged = match &outcome {
             Ok(_) => none.not(),
             Err(unconverged) => unconverged.converged,
@@ -275,6 +259,19 @@ fn begin<V: State, F: VectorField<V::Scalar, Point = V>>(
 ) {
     field.at_into(z, spare);
     fill_unless(done, k, spare);
+}
+
+/// Makes a second attempt in the lanes that are not `done`. It is rare, and kept out of the way of the first.
+#[cold]
+#[inline(never)]
+fn again<V: State>(
+    solver: &StageSolver,
+    done: MaskOf<V>,
+    scale: &impl Scale<V>,
+    (k, spare): (&mut [V], &mut V),
+    equations: &mut impl StageEquations<V>,
+) -> Result<usize, Unconverged<MaskOf<V>>> {
+    solver.solve_from(done, scale, k, spare, &mut unknown(), equations)
 }
 
 /// Returns the combined result of a first attempt, and of a second one in the lanes that a prediction had misled.

@@ -1,7 +1,9 @@
 //! Tests of runs, of their errors, and of the timing of integrators.
 #![allow(clippy::unwrap_used)]
 
+#[cfg(feature = "contests")]
 mod contests;
+#[cfg(feature = "contests")]
 mod errors_of_runs;
 mod rows_of_runs;
 mod support;
