@@ -94,8 +94,11 @@ impl<T: Real> Watch<T> {
     /// contracts finds it. Another one is found by an iteration whose changes first grow.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn is_astray(&self, size: T) -> T::Mask {
-        let near = self.path.at_most(size * NEAR).or(self.path.at_most(self.first * CONTRACTING));
-        near.not()
+        let near = self.path.at_most(size * NEAR);
+        if near.all() {
+            return T::Mask::from_bool(false);
+        }
+        near.or(self.path.at_most(self.first * CONTRACTING)).not()
     }
 
     /// Returns the sum of the changes.

@@ -284,9 +284,12 @@ impl StageSolver {
             }
             if now.any() {
                 *pace = keep(ended.or(now.not()), *pace, watch.ratios());
-                let far = now.and(ended.not()).and(watch.is_astray(size));
-                astray = astray.or(far);
-                lost = lost.or(far);
+                let far = watch.is_astray(size);
+                if far.any() {
+                    let far = far.and(now).and(ended.not());
+                    astray = astray.or(far);
+                    lost = lost.or(far);
+                }
             }
             converged = converged.or(now.and(lost.not()));
             if converged.all() {

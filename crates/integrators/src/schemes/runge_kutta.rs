@@ -91,21 +91,19 @@ impl RungeKutta {
         let lanes = self.columns.as_ref().map(|columns| (columns, step, &scale, rows));
         let equations = Stages { tableau, field, z, h, small, pool, lanes };
         let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
-        let may_follow =
-            T::HAS_SLOW_PATHS && self.solver.newton && newton.allows(self.tableau.stages(), z);
-        // A lane gives the same bits alone, whatever the sweeps of the others have found.
+        let may_follow = T::HAS_SLOW_PATHS && self.solver.newton;
+        // Only where sweeps fail are there such lanes, and the number of unknowns matters.
         let cancelling = memory.cancelling();
-        let solved = if may_follow && cancelling.all() {
+        let follows = may_follow && cancelling.any();
+        let solved = if follows && cancelling.all() {
             Err(Unconverged::before())
         } else {
             memory.solve(&self.predictor, &self.solver, field, from, unknowns, equations)
         };
-        let solved = match may_follow && cancelling.any() {
-            true => Unconverged::unless(solved, cancelling),
-            false => solved,
-        };
+        // A lane gives the same bits alone, whatever the sweeps of the others have found.
+        let solved = if follows { Unconverged::unless(solved, cancelling) } else { solved };
         let outcome = match solved {
-            Err(unconverged) if may_follow => {
+            Err(unconverged) if may_follow && newton.allows(self.tableau.stages(), z) => {
                 field.at_into(z, &mut spare);
                 // Newton's iteration begins at X(z). If that is not a number, its dense matrix would be computed in
                 // vain.

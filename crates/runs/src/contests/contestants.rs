@@ -38,6 +38,24 @@ impl Contest<'_> {
     ///
     /// # Errors
     /// If a step of an integrator fails.
+    ///
+    /// # Example
+    /// The error of the classical Runge–Kutta method with steps of 0.01 s, after 20 s:
+    /// ```
+    /// use heavytop::HeavyTop;
+    /// use lie_poisson::Se3Dual;
+    /// use lie_poisson_runs::contests::{Contest, TimedProblem, TimedRun};
+    /// use nalgebra::Vector3;
+    /// let start = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::z());
+    /// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+    /// let problem = TimedProblem::with_references(top, 20.0, vec![start])?;
+    /// let (mut runs, mut others) = (Vec::new(), Default::default());
+    /// let mut done = |run: TimedRun| runs.push(run);
+    /// Contest { problem: &problem, only: Some("RK4"), others: &mut others, done: &mut done }.run()?;
+    /// assert!(runs.len() == 1 && runs[0].steps == 2000);
+    /// assert!(runs[0].relative_error_end > 1e-12 && runs[0].relative_error_end < 1e-5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn run(&mut self) -> Result<(), RunFailure> {
         if self.problem.tops == 1 { one_top(self) } else { many_tops(self) }
     }

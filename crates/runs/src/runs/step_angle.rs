@@ -20,7 +20,8 @@ pub fn least_moment(top: &HeavyTop) -> f64 {
     top.inertia().iter().copied().filter(|moment| *moment > 0.0).fold(f64::INFINITY, f64::min)
 }
 
-/// Checks that the body does not turn absurdly far in a step from its start.
+/// Checks that the body does not turn absurdly far in a step (s) from its start: |h| (|Ω(0)| + √(m g l/I)), with the least
+/// moment I, is at most 100 rad.
 ///
 /// # Errors
 /// If it turns farther.
@@ -28,7 +29,8 @@ pub fn require_sane_step(top: &HeavyTop, start: &Se3Dual, step: f64) -> Result<(
     require_turn(step, angle(top, start, step))
 }
 
-/// Checks that the motion of a system does not turn absurdly far in a step from its start. Whether there is a value at the
+/// Checks that the motion of a system does not turn absurdly far in a step from its start: the step times the spectral radius
+/// of the derivative of its equations there is at most 100 rad. Whether there is a value at the
 /// start is for the run to say.
 ///
 /// # Errors
@@ -44,7 +46,7 @@ pub fn require_sane_step_of_system(
     if angle.is_nan() { Ok(()) } else { require_turn(step, angle) }
 }
 
-/// Checks that an angle by which a motion turns in a step is not absurd, rad.
+/// Checks that an angle by which a motion turns in a step (s) is not absurd: it is at most 100 rad.
 ///
 /// # Errors
 /// If it is.
