@@ -54,7 +54,7 @@ impl TimedProblem {
             let mut run = gauss.trajectory(start, STEP)?;
             let mut after = |time: f64, passed: f64| {
                 let steps = ((time - passed) / STEP).round() as usize;
-                run.nth(steps - 1).transpose().map_err(failed)
+                run.nth(steps.saturating_sub(1)).transpose().map_err(failed)
             };
             // The first sample is the start.
             early.extend(after(EARLY + STEP, 0.0)?.map(|sample| sample.momentum));
