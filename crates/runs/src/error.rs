@@ -93,22 +93,22 @@ pub enum RunFailure {
         after: f64,
     },
     /// The integration failed: a stage equation did not converge, or a state is not finite.
-    #[error("{formulation}, {scheme}")]
+    #[error("{formulation}, {scheme}: {reason}")]
     Integration {
         /// The formulation's name.
         formulation: &'static str,
         /// The scheme's name.
         scheme: &'static str,
         /// The step, the time and the reason.
-        source: IntegrationError,
+        reason: IntegrationError,
     },
     /// A conserved quantity has no finite value during the run.
-    #[error("at t = {time}")]
+    #[error("at t = {time}: {reason}")]
     NoValue {
         /// The time, s.
         time: f64,
         /// The quantity, the part of it without a value, and the state.
-        source: Box<FormulaSystemError>,
+        reason: Box<FormulaSystemError>,
     },
     /// The tangent vectors have lost their directions.
     #[error(transparent)]
@@ -120,12 +120,12 @@ pub enum RunFailure {
         end: f64,
     },
     /// An integrator that was to be timed failed.
-    #[error("{name}")]
+    #[error("{name}: {reason}")]
     Timed {
         /// The name of the integrator.
         name: String,
         /// The step, the time and the reason.
-        source: IntegrationError,
+        reason: IntegrationError,
     },
 }
 
@@ -134,9 +134,9 @@ impl RunFailure {
     #[must_use]
     pub fn of_step(
         (formulation, scheme): (Formulation, SchemeName),
-        source: IntegrationError,
+        reason: IntegrationError,
     ) -> Self {
-        Self::Integration { formulation: formulation.name(), scheme: scheme.name(), source }
+        Self::Integration { formulation: formulation.name(), scheme: scheme.name(), reason }
     }
 }
 

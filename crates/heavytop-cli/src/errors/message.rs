@@ -86,7 +86,11 @@ mod tests {
         let top = || TopError::NotPositive { name: "mass", value: -1.0 };
         let lift = LiftError { quantity: "Γ", value: 0.0, reason: "Γ must be different from 0" };
         let integration = |source| {
-            Error::Run(RunFailure::Integration { formulation: "direct", scheme: "rk4", source })
+            Error::Run(RunFailure::Integration {
+                formulation: "direct",
+                scheme: "rk4",
+                reason: source,
+            })
         };
         vec![
             (
@@ -126,7 +130,7 @@ mod tests {
                 "direct, rk4: step 5 at t = 0.5: the step size must be finite, it is inf",
             ),
             (
-                Error::Run(RunFailure::Timed { name: "rk4".into(), source: step() }),
+                Error::Run(RunFailure::Timed { name: "rk4".into(), reason: step() }),
                 "rk4: step 5 at t = 0.5: the step size must be finite, it is inf",
             ),
             (

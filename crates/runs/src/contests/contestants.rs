@@ -217,8 +217,8 @@ fn splittings() -> [(&'static str, f64, AlternatingSubsteps); 8] {
     ]
 }
 
-fn failed(name: &str, source: IntegrationError) -> RunFailure {
-    RunFailure::Timed { name: name.to_owned(), source }
+fn failed(name: &str, reason: IntegrationError) -> RunFailure {
+    RunFailure::Timed { name: name.to_owned(), reason }
 }
 
 fn refused(reason: SchemeError) -> RunFailure {

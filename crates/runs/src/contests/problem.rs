@@ -48,7 +48,7 @@ impl TimedProblem {
         let gauss = CollectiveGauss::new(8, top)
             .map_err(|reason| MethodError::Scheme { scheme: SchemeName::Gauss(8), reason })?;
         let failed =
-            |source: IntegrationError| RunFailure::Timed { name: "reference".to_owned(), source };
+            |reason: IntegrationError| RunFailure::Timed { name: "reference".to_owned(), reason };
         let (mut early, mut late) = (Vec::new(), Vec::new());
         for start in &starts {
             let mut run = gauss.trajectory(start, STEP)?;

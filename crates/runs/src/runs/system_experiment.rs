@@ -74,7 +74,7 @@ impl Run for SystemExperiment {
             let invariants = self.system.invariants(mu);
             row.extend(
                 invariants
-                    .map_err(|source| RunFailure::NoValue { time, source: Box::new(source) })?,
+                    .map_err(|reason| RunFailure::NoValue { time, reason: Box::new(reason) })?,
             );
             Ok(())
         })
