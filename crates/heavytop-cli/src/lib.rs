@@ -57,8 +57,8 @@
 //! # Related crates
 //!
 //! [`heavytop`] holds the tops and the formulations and schemes by name, `lie-poisson-formula-systems` the systems by
-//! formula, [`lie_poisson_runs`] the runs of both, and `collective-integrators` the integrators, ensembles and indicators of chaos. `heavytop-python` offers
-//! the same computations to Python, and `heavytop-page` in a browser.
+//! formula, [`lie_poisson_runs`] the runs of both, and `collective-integrators` the integrators, ensembles and indicators
+//! of chaos. `heavytop-python` offers the same computations to Python, and `heavytop-page` in a browser.
 
 mod vocabulary;
 pub mod errors;

@@ -64,7 +64,7 @@ pub use runs::method_warning;
 pub use runs::moment::{Moment, Saved};
 pub use runs::pace::Pace;
 pub use runs::run::{AnySample, Described, Fill, Run};
-pub use runs::schedule::{Schedule, directed_step};
+pub use runs::schedule::{MOST_STEPS, Schedule, directed_step};
 pub use runs::step_angle;
 pub use runs::system_experiment::SystemExperiment;
 pub use runs::tangent_growth::TangentGrowth;

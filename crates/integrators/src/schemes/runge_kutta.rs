@@ -92,9 +92,10 @@ impl RungeKutta {
         let equations = Stages { tableau, field, z, h, small, pool, lanes };
         let (from, unknowns) = ((z, step, &scale), (k.as_mut_slice(), &mut spare));
         let may_follow = T::HAS_SLOW_PATHS && self.solver.newton;
-        // Only where sweeps fail are there such lanes, and the number of unknowns matters.
+        // Few steps have such lanes, and the number of unknowns matters only there and where sweeps fail. The memory may be
+        // that of a smaller state.
         let cancelling = memory.cancelling();
-        let follows = may_follow && cancelling.any();
+        let follows = may_follow && cancelling.any() && newton.allows(self.tableau.stages(), z);
         let solved = if follows && cancelling.all() {
             Err(Unconverged::before())
         } else {
@@ -365,7 +366,25 @@ impl Scheme for RungeKutta {
 mod tests {
     use super::*;
     use crate::from_fn;
-    use nalgebra::Vector2;
+    use lie_poisson::Sites;
+    use nalgebra::{Vector1, Vector2};
+
+    /// The memory of a small state in which terms cancel is of no use for a state with too many unknowns for Newton's
+    /// iteration.
+    #[test]
+    fn a_workspace_serves_a_state_that_is_too_large_for_newtons_iteration() {
+        let field = from_fn(|z: &Sites<Vector1<f64>>| {
+            z.iter().map(|x| -x).collect::<Sites<Vector1<f64>>>()
+        });
+        let state = |sites| Sites::new(vec![Vector1::new(1.0); sites]);
+        let midpoint = RungeKutta::implicit_midpoint();
+        let mut used = midpoint.workspace();
+        let _ = midpoint.step(&field, &state(2), 0.1, &mut used).unwrap();
+        used.memory.include_cancelling(true);
+        let again = midpoint.step(&field, &state(2000), 0.1, &mut used).unwrap();
+        let fresh = midpoint.step(&field, &state(2000), 0.1, &mut midpoint.workspace()).unwrap();
+        assert_eq!(again.point, fresh.point);
+    }
 
     /// The low parts of the coefficients, which are below the round-off of a step, enter once the stages are close: the
     /// sums with them are those of the solution, to half of its digits.

@@ -127,3 +127,47 @@ impl<V: State> VectorField<V::Scalar> for FlatField<'_, V> {
         self.field.derivative(&point, &tangent).map(|slope| z.with(&slope))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{FlatField, FlatState};
+    use crate::{VectorField, from_fn};
+    use lie_poisson::{Pair, Sites, State, Vector};
+    use nalgebra::{Vector1, Vector2};
+
+    type Two = Pair<Vector1<f64>, Vector2<f64>>;
+
+    /// The sites of a lattice share their blocks, which are then not contiguous.
+    #[test]
+    fn coordinates_keep_their_values_and_blocks() {
+        let site = |x: f64| Two::from_coordinates(|i| x + i as f64);
+        let z = Sites::new(vec![site(1.0), site(10.0)]);
+        let flat = FlatState::of(&z);
+        assert_eq!(flat.values, [1.0, 2.0, 3.0, 10.0, 11.0, 12.0]);
+        assert_eq!((0..6).map(|i| flat.block_of(i)).collect::<Vec<_>>(), [0, 1, 1, 0, 1, 1]);
+        let other = Sites::new(vec![site(-3.0), site(0.5)]);
+        let mut written = z.zeros_like();
+        flat.with(&other).write_to(&mut written);
+        assert!(written == other && flat.with(&other).same_shape(&flat) && flat.blocks() == 2);
+    }
+
+    #[test]
+    fn blocks_after_the_seventh_count_as_one() {
+        type Four = Pair<Pair<Vector1<f64>, Vector1<f64>>, Pair<Vector1<f64>, Vector1<f64>>>;
+        let flat = FlatState::of(&Pair::<Four, Pair<Four, Vector1<f64>>>::zero());
+        assert_eq!(
+            (0..9).map(|i| flat.block_of(i)).collect::<Vec<_>>(),
+            [0, 1, 2, 3, 4, 5, 6, 7, 7]
+        );
+    }
+
+    #[test]
+    fn a_field_on_coordinates_is_the_field() {
+        let field = from_fn(|z: &Two| Pair(-z.0, z.1 * z.0.x));
+        let z: Two = Pair(Vector1::new(0.5), Vector2::new(2.0, -3.0));
+        let (flat, on_coordinates) =
+            (FlatState::of(&z), FlatField { field: &field, space: z.shape() });
+        assert_eq!(on_coordinates.at(&flat), FlatState::of(&field.at(&z)));
+        assert_eq!(on_coordinates.derivative(&flat, &flat), None);
+    }
+}

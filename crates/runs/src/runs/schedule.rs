@@ -3,7 +3,7 @@
 use crate::RunFailure;
 
 /// The largest number of steps; more must be a typing error.
-const MOST_STEPS: f64 = 1e12;
+pub const MOST_STEPS: f64 = 1e12;
 
 /// The largest distance of the end from a whole number of steps, relative to the end.
 const SLACK: f64 = 1e-9;

@@ -30,8 +30,7 @@ pub fn require_sane_step(top: &HeavyTop, start: &Se3Dual, step: f64) -> Result<(
 }
 
 /// Checks that the motion of a system does not turn absurdly far in a step from its start: the step times the spectral radius
-/// of the derivative of its equations there is at most 100 rad. Whether there is a value at the
-/// start is for the run to say.
+/// of the derivative of its equations there is at most 100 rad. Whether there is a value at the start is for the run to say.
 ///
 /// # Errors
 /// If it turns farther, or there is no such method.

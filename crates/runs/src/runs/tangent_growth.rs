@@ -14,12 +14,12 @@ use lie_poisson::State;
 pub struct TangentGrowth {
     /// The momentum at the end.
     pub end: AnyState,
-    /// The growth rate ln(δ(t)/δ(0))/|t| of the first tangent vector, 1/s; 0 without tangent vectors.
+    /// The growth rate ln(δ(t)/δ(0))/|t| of the first tangent vector, 1/s; 0 without tangent vectors or steps.
     pub lyapunov: f64,
-    /// The mean of MEGNO, the mean exponential growth of nearby orbits, of the first tangent vector. It tends to 2 for
-    /// regular motions and grows with time for chaotic ones. Source: Cincotta, Giordano & Simó 2003, eq. (23).
+    /// The [mean of MEGNO](Megno::mean), the mean exponential growth of nearby orbits, of the first tangent vector. It tends
+    /// to 2 for regular motions and grows with time for chaotic ones.
     pub megno: f64,
-    /// The smaller alignment index of two tangent vectors. Source: Skokos 2001, eq. (5).
+    /// The [smaller alignment index](smaller_alignment_index) of two tangent vectors.
     pub alignment: Option<f64>,
 }
 
@@ -92,9 +92,10 @@ fn follow<const K: usize>(
             growth += stretch.ln();
         }
     }
+    let elapsed = flow.time().abs();
     Ok(TangentGrowth {
         end: flow.momentum(),
-        lyapunov: growth / flow.time().abs(),
+        lyapunov: if elapsed > 0.0 { growth / elapsed } else { 0.0 },
         megno: megno.mean(),
         alignment: flow.directions()?.first_chunk().map(smaller_alignment_index),
     })

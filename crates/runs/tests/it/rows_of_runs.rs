@@ -57,7 +57,7 @@ fn rows_have_the_columns_that_are_named() {
     assert_eq!(rows[5][1..7], *end.as_slice());
 }
 
-/// A run goes on from a saved moment to the same bits.
+/// A run that continues from a saved moment has the same last row, to the last bit, as one that was not interrupted.
 #[test]
 fn a_run_goes_on_from_a_saved_moment() {
     let top = experiment("collective", "gauss-8", pace(0.05, 150.0, 1000));

@@ -7,14 +7,11 @@ use super::problems::top_problem::TopProblem;
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
 use crate::formats::run_table::require_distinct;
-use lie_poisson_runs::directed_step;
+use lie_poisson_runs::{MOST_STEPS, RunFailure, directed_step};
 use std::sync::Arc;
 
 /// The largest number of points; more must be a typing error.
 const MOST_POINTS: f64 = 1e7;
-
-/// The largest number of steps for each start; more must be a typing error.
-const MOST_STEPS: f64 = 1e12;
 
 /// A section, and how its points are computed.
 #[derive(Clone, Debug)]
@@ -60,9 +57,7 @@ impl Settings {
         problem.require_step(step)?;
         let steps = (longest / step.abs()).ceil();
         if steps > MOST_STEPS {
-            return Err(
-                lie_poisson_runs::RunFailure::TooManySteps { steps, most: MOST_STEPS }.into()
-            );
+            return Err(RunFailure::TooManySteps { steps, most: MOST_STEPS }.into());
         }
         let given = u32::try_from(settings.states.len()).unwrap_or(u32::MAX);
         let starts = if given > 0 { given } else { settings.starts };
