@@ -31,8 +31,8 @@
 //! | structure constants from a text, one per line | [`structure_table`] |
 //! | the coordinates of a state by their names | [`SystemAlgebra::state`] |
 //! | a Hamiltonian on it as text, and the Casimirs | [`FormulaSystem`] |
-//! | a formulation and a scheme for it | [`SystemMethod`] |
-//! | the integrator of both | [`SystemMethod::integrator`] |
+//! | the formulations that an algebra has, a method of one | [`SystemAlgebra::formulations`], [`SystemAlgebra::method`] |
+//! | the integrator of a [`Method`](heavytop::methods::Method) by name | [`FormulaSystem::integrator`] |
 //! | a Poincaré section on a level set of h and the Casimirs | [`SystemSection`] |
 //! | the reason why something is rejected | [`FormulaSystemError`], [`StructureTableError`] |
 //!
@@ -65,7 +65,6 @@ mod sections;
 pub use algebras::structure_table::{StructureTableError, structure_table};
 pub use algebras::system_algebra::SystemAlgebra;
 pub use error::FormulaSystemError;
-pub use methods::system_method::SystemMethod;
 pub use sections::system_section::SystemSection;
 pub use systems::formula_system::FormulaSystem;
 

@@ -1,7 +1,5 @@
 //! Conversion between arrays of NumPy and states.
 
-use lie_poisson::{Covector, Pair, Se3Dual};
-use nalgebra::Vector3;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::{Bound, PyResult, Python};
@@ -13,21 +11,6 @@ pub(crate) fn rows<'py>(
     shape: [usize; 2],
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     PyArray1::from_vec(py, values).reshape(shape)
-}
-
-/// Returns the state (Π, Γ) of six numbers.
-pub(crate) fn state([a, b, c, x, y, z]: [f64; 6]) -> Se3Dual {
-    Se3Dual::new(Vector3::new(a, b, c), Vector3::new(x, y, z))
-}
-
-/// Returns the state (Π, Γ) of a run.
-pub(crate) fn state_of(momentum: &[f64]) -> Se3Dual {
-    momentum.first_chunk().map_or_else(|| state([f64::NAN; 6]), |numbers| state(*numbers))
-}
-
-/// Returns the six numbers of a state (Π, Γ).
-pub(crate) fn numbers(Covector(Pair(pi, gamma)): &Se3Dual) -> [f64; 6] {
-    [pi.x, pi.y, pi.z, gamma.x, gamma.y, gamma.z]
 }
 
 /// Returns the rows of an array, each with `N` numbers.

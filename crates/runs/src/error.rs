@@ -1,7 +1,8 @@
 //! The errors of runs.
 
 use collective_integrators::{IntegrationError, RunError, VariationalError};
-use heavytop::methods::{Formulation, MethodError, SchemeName};
+use heavytop::TopError;
+use heavytop::methods::{Formulation, Method, MethodError};
 use lie_poisson_formula_systems::FormulaSystemError;
 use momentum_map::LiftError;
 
@@ -18,6 +19,9 @@ pub enum RunFailure {
     /// There is no such system, no method for it, or it has no value at the start.
     #[error(transparent)]
     System(Box<FormulaSystemError>),
+    /// A top cannot have the initial state.
+    #[error(transparent)]
+    Top(#[from] TopError),
     /// The formulation does not determine the attitude.
     #[error(
         "{} has no attitude: its six equations do not determine it; collective, reduced and \
@@ -108,7 +112,7 @@ pub enum RunFailure {
         /// The time, s.
         time: f64,
         /// The quantity, the part of it without a value, and the state.
-        reason: Box<FormulaSystemError>,
+        reason: String,
     },
     /// The tangent vectors have lost their directions.
     #[error(transparent)]
@@ -132,11 +136,9 @@ pub enum RunFailure {
 impl RunFailure {
     /// Returns the error of a step that failed by this method.
     #[must_use]
-    pub fn of_step(
-        (formulation, scheme): (Formulation, SchemeName),
-        reason: IntegrationError,
-    ) -> Self {
-        Self::Integration { formulation: formulation.name(), scheme: scheme.name(), reason }
+    pub fn of_step(method: &Method, reason: IntegrationError) -> Self {
+        let (formulation, scheme) = (method.formulation().name(), method.scheme().name());
+        Self::Integration { formulation, scheme, reason }
     }
 }
 

@@ -1,24 +1,23 @@
 //! Runs of tops and of other Lie–Poisson systems behind one trait, and the timing of integrators.
 //!
-//! A [`Run`] is a system, its initial state, and the method and steps by which it is followed. What writes tables, draws
-//! or shows progress needs no more than this trait, whatever the system is. The program `heavytop` follows its runs in this
-//! way.
+//! A [`Model`] is a system whose coordinates, conserved quantities and integrators are known by name: a top, a system
+//! by formula, or one of your own. An [`Experiment`] is a model, its initial state, and the method and steps by which it is
+//! followed. What writes tables, draws or shows progress needs no more, whatever the system is: the program `heavytop` and
+//! the Python package are made in this way.
 //!
 //! ```
+//! use heavytop::HeavyTop;
 //! use heavytop::methods::Method;
-//! use heavytop::{HeavyTop, PrincipalAxes};
-//! use lie_poisson::Se3Dual;
-//! use lie_poisson_runs::{Experiment, Pace, Run, RunFailure, Schedule};
-//! use nalgebra::Vector3;
+//! use lie_poisson_runs::{Experiment, Model, Pace, RunFailure, Schedule, TopInAxes};
+//! let model = TopInAxes::from(HeavyTop::kovalevskaya(1.0, 1.0)?);
 //! let run = Experiment {
-//!     top: HeavyTop::kovalevskaya(1.0, 1.0)?,
-//!     axes: PrincipalAxes::aligned(Vector3::new(2.0, 2.0, 1.0)),
-//!     start: Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::z()),
+//!     start: model.start(&[2.0, 3.0, 4.0, 0.0, 0.0, 1.0])?,
 //!     method: Method::new("collective".parse()?, "gauss-8".parse()?, 0.0)?,
 //!     pace: Pace { schedule: Schedule::new(0.02, 10.0)?, every: 100 },
 //!     attitude: false,
+//!     model,
 //! };
-//! let (run, mut times) = (&run as &dyn Run, Vec::new());
+//! let mut times = Vec::new();
 //! run.follow(None, |moment| -> Result<(), RunFailure> {
 //!     times.push(moment.row[0]);
 //!     Ok(())
@@ -31,9 +30,10 @@
 //!
 //! | when you need | use |
 //! |---|---|
-//! | the rows of a run one by one, whatever it follows | [`Run`] |
-//! | a run of a top | [`Experiment`] |
-//! | a run of a system by formula | [`SystemExperiment`] |
+//! | what all systems are here, or a system of your own | [`Model`], [`Conserved`] |
+//! | the model of a top | [`TopInAxes`] |
+//! | the model of a system by formula | [`FormulaSystem`](lie_poisson_formula_systems::FormulaSystem) |
+//! | the rows of a run one by one | [`Experiment`] |
 //! | equal steps to an end, and which of them are written | [`Schedule`], [`Pace`] |
 //! | how tangent vectors grow: Lyapunov exponent, MEGNO, alignment | [`TangentGrowth`] |
 //! | to refuse steps that turn a motion absurdly far | [`step_angle`] |
@@ -53,20 +53,21 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod error;
+mod models;
 mod runs;
 #[cfg(feature = "contests")]
 #[cfg_attr(docsrs, doc(cfg(feature = "contests")))]
 pub mod contests;
 
 pub use error::RunFailure;
+pub use models::conserved::Conserved;
+pub use models::model::Model;
+pub use models::step_angle;
+pub use models::top_in_axes::TopInAxes;
 pub use runs::experiment::Experiment;
-pub use runs::method_warning;
 pub use runs::moment::{Moment, Saved};
 pub use runs::pace::Pace;
-pub use runs::run::{AnySample, Described, Fill, Run};
 pub use runs::schedule::{MOST_STEPS, Schedule, directed_step};
-pub use runs::step_angle;
-pub use runs::system_experiment::SystemExperiment;
 pub use runs::tangent_growth::TangentGrowth;
 
 /// Compiles and runs the examples of the README.

@@ -8,7 +8,7 @@ use lie_poisson::{
     Automatic, Covector, Energy, LiePoisson, Real, Representation, StructureConstants, Vector,
     larger,
 };
-use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use lie_poisson_formulas::{Coordinates, Parameters, StructureEntry};
 use momentum_map::{PoissonMap, Side, clebsch_realisation};
 use nalgebra::SVector;
@@ -187,12 +187,12 @@ impl Check for Guarded {
         let squares: Vec<_> = names.names().map(|name| format!("{name}^2")).collect();
         let algebra = SystemAlgebra::of_entries(names, entries).unwrap();
         let (collective, gauss) = (Formulation::Collective, SchemeName::Gauss(4));
-        let method = SystemMethod::new(&algebra, collective, gauss, 0.0).unwrap();
+        let method = algebra.method(collective, gauss, 0.0).unwrap();
         let hamiltonian = format!("({})/2", squares.join(" + "));
         let system = FormulaSystem::new(algebra, &hamiltonian, &Parameters::new()).unwrap();
         let system = system.with_found_casimirs().unwrap();
         for start in samples::<Momentum<N>>(3) {
-            let integrator = method.integrator(&system, start.0.as_slice()).unwrap();
+            let integrator = system.integrator(&method, start.0.as_slice()).unwrap();
             let run = integrator.after(&AnyState::of(&start), 0.1, 100).map(drop);
             run.unwrap_or_else(|error| panic!("{}, {}: {error}", entry.name, start.0));
         }

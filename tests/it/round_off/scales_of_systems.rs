@@ -1,12 +1,14 @@
 //! Units of mass, length and time of a system by a formula: no indicator, error or estimate depends on them.
 
-use collective_integrators::diagnostics::{InvariantSize, reversibility_defect};
+use collective_integrators::diagnostics::{
+    InvariantSize, check_by_half_steps, reversibility_defect, run_accuracy,
+};
 use collective_integrators::{
     AnyIntegrator, AnyState, AnyTangents, Megno, Start, VariationalFlow, smaller_alignment_index,
 };
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::larger;
-use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use lie_poisson_formulas::Parameters;
 use std::error::Error;
 use workspace_tests::scales::Units;
@@ -79,11 +81,14 @@ fn measured(formulation: Formulation, units: Units) -> Outcome<Vec<f64>> {
         Formulation::Reduced => SchemeName::Gauss(2),
         _ => SchemeName::Rk4,
     };
-    let method = SystemMethod::new(system.algebra(), formulation, scheme, 0.0)?;
-    let mut found = run(&method.integrator(&system, &start)?, &system, &start, step)?;
-    let accuracy = method.accuracy(&system, &start, (step, 40), &|| true)?;
+    let method = system.algebra().method(formulation, scheme, 0.0)?;
+    let (integrator, order) = (system.integrator(&method, &start)?, scheme.order());
+    let mut found = run(&integrator, &system, &start, step)?;
+    let (integrator, steps) = (integrator.without_tangents(), (step, 40));
+    let accuracy = run_accuracy(&integrator, &system, &start, steps, order, &|| true);
     found.extend([accuracy.angle, accuracy.error.ok_or("no estimate")?.ln()]);
-    let check = method.check(&system, &start, (step, 40), &|| true)??.ok_or("told to end")?;
+    let check = check_by_half_steps(&integrator, &system, &start, steps, order, &|| true)?;
+    let check = check.ok_or("told to end")?;
     let order = check.order.map_err(|reason| reason.to_string())?;
     found.extend([check.error.ok_or("no error")?.ln(), order]);
     Ok(found)

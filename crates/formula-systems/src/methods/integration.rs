@@ -10,16 +10,14 @@ use collective_integrators::{
     LiftFree, RungeKutta, Scheme, Start, TangentIntegrator,
 };
 use heavytop::SpinorRealisation;
-use heavytop::methods::{Formulation, SchemeName};
+use heavytop::methods::{Formulation, Method};
 use lie_poisson::{LieAlgebra, LiePoisson, Momentum, Se3, So3, StructureConstants, Vector};
 use lie_poisson_formulas::{Formula, FormulaHamiltonian, structure_constants};
 use momentum_map::{DualQuaternions, HOPF, PoissonMap, Quaternions};
 
 /// A system with the method of its integration, for runs from a state.
 pub(super) struct Integration<'a> {
-    pub(super) formulation: Formulation,
-    pub(super) scheme: SchemeName,
-    pub(super) tolerance: f64,
+    pub(super) method: &'a Method,
     pub(super) system: &'a FormulaSystem,
     pub(super) start: &'a [f64],
 }
@@ -33,13 +31,13 @@ type AnyScheme = Composition<RungeKutta>;
 impl Integration<'_> {
     /// Makes the integrator.
     pub(super) fn make(&self) -> Made {
-        let scheme = self.scheme.runge_kutta(self.tolerance)?;
+        let scheme = self.method.scheme().runge_kutta(self.method.tolerance())?;
         self.with(scheme.ok_or_else(|| self.impossible())?)
     }
 
     fn with(&self, scheme: AnyScheme) -> Made {
         let algebra = self.system.algebra();
-        Ok(match (self.formulation, algebra.family) {
+        Ok(match (self.method.formulation(), algebra.family) {
             // Π and Γ have units of their own, which the structure constants of an algebra do not tell.
             (Formulation::Direct, Family::Motions) => {
                 let space = LiePoisson::minus(Se3::default());
@@ -103,7 +101,7 @@ impl Integration<'_> {
 
     /// Returns whether the steps of affine schemes descend to 𝔤∗ along the map that [`perform`](Self::perform) uses.
     pub(super) fn descends(&self) -> Result<bool, FormulaSystemError> {
-        if self.formulation != Formulation::Collective {
+        if self.method.formulation() != Formulation::Collective {
             return Ok(true);
         }
         match (self.system.algebra().family, self.system.algebra().dimension()) {
@@ -156,7 +154,7 @@ impl Integration<'_> {
     }
 
     fn impossible(&self) -> FormulaSystemError {
-        refusal(self.system.algebra(), self.formulation, self.scheme)
+        refusal(self.system.algebra(), self.method.formulation(), self.method.scheme())
     }
 }
 

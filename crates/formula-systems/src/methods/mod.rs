@@ -4,6 +4,6 @@ pub(crate) mod offers;
 pub(crate) mod clebsch_maps;
 pub(crate) mod invariant_guard;
 pub(crate) mod integration;
-pub(crate) mod system_method;
+mod integrators;
 mod spectral_radius;
-mod system_accuracy;
+mod scales;

@@ -2,34 +2,81 @@
 
 use crate::algebras::system_algebra::Family;
 use crate::{FormulaSystemError, SystemAlgebra};
-use heavytop::methods::{Formulation, SchemeName};
+use heavytop::methods::{Formulation, Method, SchemeName};
 
 /// The dimensions of the algebras with a Clebsch map.
 const CLEBSCH: [usize; 5] = [2, 3, 4, 5, 6];
 
-/// Returns the formulations that an algebra has.
-pub(super) fn formulations(algebra: &SystemAlgebra) -> impl Iterator<Item = Formulation> {
-    let known = algebra.family != Family::Other;
-    let clebsch = CLEBSCH.contains(&algebra.dimension());
-    let all = [Formulation::Collective, Formulation::Reduced, Formulation::Direct];
-    all.into_iter().filter(move |formulation| match formulation {
-        Formulation::Direct => true,
-        Formulation::Collective => known || clebsch,
-        _ => known,
-    })
-}
+impl SystemAlgebra {
+    /// Returns the formulations that the algebra has. [`method`](Self::method) has a table.
+    pub fn formulations(&self) -> impl Iterator<Item = Formulation> {
+        let known = self.family != Family::Other;
+        let clebsch = CLEBSCH.contains(&self.dimension());
+        let all = [Formulation::Collective, Formulation::Reduced, Formulation::Direct];
+        all.into_iter().filter(move |formulation| match formulation {
+            Formulation::Direct => true,
+            Formulation::Collective => known || clebsch,
+            _ => known,
+        })
+    }
 
-/// Checks that an algebra has a formulation with a scheme.
-pub(super) fn require(
-    algebra: &SystemAlgebra,
-    formulation: Formulation,
-    scheme: SchemeName,
-) -> Result<(), FormulaSystemError> {
-    let partitioned = matches!(scheme, SchemeName::Partitioned(_));
-    if has(algebra, formulation) && !partitioned && formulation.offers(scheme) {
-        Ok(())
-    } else {
-        Err(refusal(algebra, formulation, scheme))
+    /// Returns the formulation that suits the algebra best. It is collective if that is a Poisson integrator for every
+    /// Hamiltonian, namely on so(3), su(2) and se(3) by name. Otherwise it is direct.
+    #[must_use]
+    pub fn default_formulation(&self) -> Formulation {
+        match self.family {
+            Family::Rotations | Family::Motions => Formulation::Collective,
+            Family::Other => Formulation::Direct,
+        }
+    }
+
+    /// Returns the method of a formulation and a scheme. Stages are solved to `tolerance`, relative to the state; 0 iterates
+    /// to the round-off floor.
+    ///
+    /// | algebra | formulations |
+    /// |---|---|
+    /// | so(3), su(2), se(3) by name | collective, reduced, direct |
+    /// | another of dimension 2 to 6 | collective, by a Clebsch map; direct |
+    /// | any other | direct |
+    ///
+    /// Every scheme of [`Formulation::schemes`] is available except the partitioned ones.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::NoMethod`], which names those that the algebra has, if it does not have the formulation
+    /// with the scheme, and [`FormulaSystemError::Method`] for a tolerance that is negative or not finite.
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop::methods::{Formulation, SchemeName};
+    /// use lie_poisson_formula_systems::SystemAlgebra;
+    /// let se2 = SystemAlgebra::named("se(2)")?;
+    /// assert!(se2.method(Formulation::Collective, SchemeName::Gauss(2), 0.0).is_ok());
+    /// let error = se2.method(Formulation::Reduced, SchemeName::Gauss(2), 0.0).unwrap_err();
+    /// assert_eq!(error.to_string(), "se(2) has no reduced gauss-4; it has collective and direct");
+    /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
+    /// ```
+    pub fn method(
+        &self,
+        formulation: Formulation,
+        scheme: SchemeName,
+        tolerance: f64,
+    ) -> Result<Method, FormulaSystemError> {
+        self.require(formulation, scheme)?;
+        Ok(Method::new(formulation, scheme, tolerance)?)
+    }
+
+    /// Checks that the algebra has a formulation with a scheme.
+    pub(super) fn require(
+        &self,
+        formulation: Formulation,
+        scheme: SchemeName,
+    ) -> Result<(), FormulaSystemError> {
+        let is_partitioned = matches!(scheme, SchemeName::Partitioned(_));
+        if has(self, formulation) && !is_partitioned && formulation.offers(scheme) {
+            Ok(())
+        } else {
+            Err(refusal(self, formulation, scheme))
+        }
     }
 }
 
@@ -45,7 +92,7 @@ pub(super) fn refusal(
         let names: Vec<_> = schemes.map(SchemeName::name).collect();
         format!("{formulation} has {}", names.join(", "))
     } else {
-        let names: Vec<_> = formulations(algebra).map(Formulation::name).collect();
+        let names: Vec<_> = algebra.formulations().map(Formulation::name).collect();
         match names.split_last() {
             Some((last, before)) if !before.is_empty() => {
                 format!("it has {} and {last}", before.join(", "))
@@ -57,7 +104,7 @@ pub(super) fn refusal(
 }
 
 fn has(algebra: &SystemAlgebra, formulation: Formulation) -> bool {
-    formulations(algebra).any(|other| other == formulation)
+    algebra.formulations().any(|other| other == formulation)
 }
 
 #[cfg(test)]
@@ -69,13 +116,13 @@ mod tests {
     fn what_a_refusal_names_is_offered() -> Result<(), FormulaSystemError> {
         let algebra = SystemAlgebra::named("so(3)")?;
         let mut refusals = 0;
-        for formulation in formulations(&algebra) {
-            let accepted = |scheme: &SchemeName| require(&algebra, formulation, *scheme).is_ok();
+        for formulation in algebra.formulations() {
+            let accepted = |scheme: &SchemeName| algebra.method(formulation, *scheme, 0.0).is_ok();
             let refused = formulation.schemes().find(|scheme| !accepted(scheme));
             let names: Vec<_> =
                 formulation.schemes().filter(accepted).map(SchemeName::name).collect();
             let Some(refused) = refused else { continue };
-            let error = require(&algebra, formulation, refused).err();
+            let error = algebra.method(formulation, refused, 0.0).err();
             let expected = format!("{formulation} has {}", names.join(", "));
             let named = matches!(&error,
                 Some(FormulaSystemError::NoMethod { has, .. }) if *has == expected);

@@ -3,10 +3,10 @@
 
 use crate::support::system;
 use collective_integrators::{AnyState, Start, laws};
-use heavytop::methods::{Formulation, SchemeName};
+use heavytop::methods::{Formulation, Method, SchemeName};
 use lie_poisson::laws::{Faulty, NoSamples, Report, hamiltonian, lie_algebra, poisson_space};
 use lie_poisson::{Hamiltonian, LiePoisson, Momentum, PoissonSpace, StructureConstants, Vector};
-use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use lie_poisson_formulas::{
     Coordinates, DimensionTask, FormulaHamiltonian, Parameters, for_dimension, structure_constants,
 };
@@ -143,8 +143,8 @@ fn algebras_and_hamiltonians_of_any_dimension() {
 }
 
 /// Runs the suites of an integrator.
-fn dynamics(what: &str, method: SystemMethod, system: &FormulaSystem, start: &[f64]) {
-    let integrator = &method.integrator(system, start).unwrap().without_tangents();
+fn dynamics(what: &str, method: &Method, system: &FormulaSystem, start: &[f64]) {
+    let integrator = &system.integrator(method, start).unwrap().without_tangents();
     let mu = [AnyState::from_slice(start)];
     obeys(what, integrator, ("step", 0), ROUND_OFF, |i| laws::start(i, &mu, STEP));
     let state = [integrator.start(&mu[0]).unwrap()];
@@ -169,11 +169,10 @@ fn integrators_of_systems_of_any_dimension() {
         let start =
             &[0.6, -0.4, 0.7, 0.3, -0.5, 0.8, 0.2, -0.9, 0.5, 0.4, 0.1, -0.3, 0.6, -0.2, 0.9]
                 [..algebra.dimension()];
-        for formulation in SystemMethod::formulations(algebra) {
-            let method =
-                SystemMethod::new(algebra, formulation, SchemeName::Gauss(2), 0.0).unwrap();
+        for formulation in algebra.formulations() {
+            let method = algebra.method(formulation, SchemeName::Gauss(2), 0.0).unwrap();
             let what = format!("dimension {}, {formulation}", start.len());
-            dynamics(&what, method, &system, start);
+            dynamics(&what, &method, &system, start);
             kinds.push((start.len(), formulation));
         }
     }
@@ -197,7 +196,6 @@ fn methods_that_lose_casimirs_are_refused() {
     let so3 = SystemAlgebra::named("so(3)").unwrap();
     let body = system(so3, "Pi1^2 + Pi2^2/2 + Pi3^2/3");
     let start = [0.6, -0.4, 0.7];
-    let method =
-        SystemMethod::new(body.algebra(), Formulation::Direct, SchemeName::Rk4, 0.0).unwrap();
-    dynamics("rk4", method, &body, &start);
+    let method = body.algebra().method(Formulation::Direct, SchemeName::Rk4, 0.0).unwrap();
+    dynamics("rk4", &method, &body, &start);
 }

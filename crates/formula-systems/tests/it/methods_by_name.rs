@@ -2,7 +2,7 @@
 
 use crate::support::{distance, end, system};
 use heavytop::methods::{Formulation, MethodError, PartitionedScheme, SchemeName};
-use lie_poisson_formula_systems::{FormulaSystemError, SystemAlgebra, SystemMethod};
+use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemAlgebra};
 use lie_poisson_formulas::{Coordinates, Parameters, StructureEntry};
 
 /// Gauss–Legendre with six stages: over 40 steps of 0.05 its error is far below rounding.
@@ -24,7 +24,7 @@ fn all_formulations_integrate_the_same_equations() {
         let run = |formulation| end(&system, (formulation, GAUSS), start, (0.05, 40));
         let direct = run(Formulation::Direct);
         assert!(distance(&direct, start) > 0.1, "{name} does not move");
-        for formulation in SystemMethod::formulations(system.algebra()) {
+        for formulation in system.algebra().formulations() {
             let error = distance(&run(formulation), &direct);
             assert!(error < ROUNDING, "{name}, {formulation}: {error:e}");
         }
@@ -128,7 +128,7 @@ fn clebsch_maps_of_other_dimensions_integrate_the_same_equations() {
 fn methods_that_an_algebra_does_not_have_are_refused() {
     let refused = |name: &str, formulation, scheme| {
         let algebra = SystemAlgebra::named(name).unwrap();
-        SystemMethod::new(&algebra, formulation, scheme, 0.0).unwrap_err().to_string()
+        algebra.method(formulation, scheme, 0.0).unwrap_err().to_string()
     };
     let message = refused("se(3)+R3", Formulation::Collective, GAUSS);
     assert_eq!(message, "se(3)+R3 has no collective gauss-12; it has direct");
@@ -145,12 +145,12 @@ fn methods_that_an_algebra_does_not_have_are_refused() {
 fn wrong_tolerances_states_and_algebras_are_refused() {
     let so3 = SystemAlgebra::named("so(3)").unwrap();
     for value in [-1.0, f64::NAN, f64::INFINITY] {
-        let error = SystemMethod::new(&so3, Formulation::Direct, GAUSS, value).unwrap_err();
+        let error = so3.method(Formulation::Direct, GAUSS, value).unwrap_err();
         assert!(matches!(error, FormulaSystemError::Method(MethodError::Tolerance { .. })));
     }
-    let method = SystemMethod::new(&so3, Formulation::Reduced, GAUSS, 0.0).unwrap();
+    let method = so3.method(Formulation::Reduced, GAUSS, 0.0).unwrap();
     let start = [1.0, 0.0, 0.0, 0.0];
-    let run = |system, start| method.integrator(system, start).map(|_| ());
+    let run = |system: &FormulaSystem, start: &[f64]| system.integrator(&method, start).map(|_| ());
     let body = system(so3, "Pi1^2 + 2*Pi2^2");
     let error = run(&body, &start).unwrap_err();
     assert_eq!(error, FormulaSystemError::StateLength { expected: 3, found: 4 });

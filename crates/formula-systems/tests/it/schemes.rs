@@ -2,7 +2,7 @@
 
 use crate::support::{distance, end, system};
 use heavytop::methods::{ComposedScheme, Formulation, SchemeName};
-use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use lie_poisson_formulas::{Coordinates, Expressions, Parameters};
 
 #[test]
@@ -48,12 +48,12 @@ fn the_coadjoint_clebsch_map_reaches_what_the_adjoint_one_does_not() {
         assert!(distance(&direct, &start) > 0.1, "{direct:?}");
         assert!(distance(&direct, &collective) < 1e-12, "{direct:?} {collective:?}");
     }
-    let collective = SystemMethod::new(system.algebra(), Formulation::Collective, gauss, 0.0);
-    let direct = SystemMethod::new(system.algebra(), Formulation::Direct, gauss, 0.0).unwrap();
+    let collective = system.algebra().method(Formulation::Collective, gauss, 0.0);
+    let direct = system.algebra().method(Formulation::Direct, gauss, 0.0).unwrap();
     let start = [0.4, 0.3, -0.5, 0.2, 0.6];
     // ad(x₄ + 2 x₅) has the eigenvalues 1 and 2, so that its cube is no multiple of it.
-    assert_eq!(collective.unwrap().descends(&system, &start), Ok(false));
-    assert_eq!(direct.descends(&system, &start), Ok(true));
+    assert_eq!(system.descends(&collective.unwrap(), &start), Ok(false));
+    assert_eq!(system.descends(&direct, &start), Ok(true));
 }
 
 /// Steps descend where the cubes of the matrices ad ξ are such matrices: for the affine group of the line, on sl(2) and
@@ -84,8 +84,8 @@ fn casimirs_are_lost_where_steps_do_not_descend() {
         let system = system(algebra, hamiltonian);
         let start = &[0.4, 0.3, -0.5, 0.2, 0.6, -0.7][..system.algebra().dimension()];
         let scheme = SchemeName::ImplicitMidpoint;
-        let method = SystemMethod::new(system.algebra(), Formulation::Collective, scheme, 0.0);
-        assert_eq!(method.unwrap().descends(&system, start), Ok(descends), "{hamiltonian}");
+        let method = system.algebra().method(Formulation::Collective, scheme, 0.0);
+        assert_eq!(system.descends(&method.unwrap(), start), Ok(descends), "{hamiltonian}");
         let last = end(&system, (Formulation::Collective, scheme), start, (0.1, 20));
         assert!(distance(&last, start) > 0.01, "{hamiltonian} does not move");
         let value = |state: &[f64]| casimir.invariants(state).unwrap()[0];
@@ -99,8 +99,7 @@ fn casimirs_are_lost_where_steps_do_not_descend() {
 #[test]
 fn a_method_says_what_it_is_and_which_formulation_suits() {
     let named = |name| SystemAlgebra::named(name).unwrap();
-    let method =
-        SystemMethod::new(&named("so(3)"), Formulation::Reduced, SchemeName::Gauss(3), 1e-9);
+    let method = named("so(3)").method(Formulation::Reduced, SchemeName::Gauss(3), 1e-9);
     let method = method.unwrap();
     let parts = (method.formulation(), method.scheme(), method.tolerance());
     assert_eq!(parts, (Formulation::Reduced, SchemeName::Gauss(3), 1e-9));
@@ -110,7 +109,7 @@ fn a_method_says_what_it_is_and_which_formulation_suits() {
         ("se(3)", Formulation::Collective),
         ("sl(2)", Formulation::Direct),
     ] {
-        assert_eq!(SystemMethod::default_formulation(&named(name)), formulation, "{name}");
+        assert_eq!(named(name).default_formulation(), formulation, "{name}");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use collective_integrators::{AnyState, Start};
 use heavytop::methods::{Formulation, SchemeName};
-use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use lie_poisson_formulas::Parameters;
 
 /// Returns the system of a Hamiltonian without parameters, with its Casimirs.
@@ -18,8 +18,8 @@ pub fn end(
     start: &[f64],
     (step, steps): (f64, u64),
 ) -> Vec<f64> {
-    let method = SystemMethod::new(system.algebra(), formulation, scheme, 0.0).unwrap();
-    let integrator = method.integrator(system, start).unwrap();
+    let method = system.algebra().method(formulation, scheme, 0.0).unwrap();
+    let integrator = system.integrator(&method, start).unwrap();
     integrator
         .after(&AnyState::from_slice(start), step, steps)
         .unwrap()

@@ -8,10 +8,11 @@ use super::system::SystemConfig;
 use super::top::{About, BodyConfig, InitialConfig, LeftOut};
 use crate::Error;
 use crate::errors::{CheckpointError, SystemTableError};
-use crate::runs::{Experiment, Pace, Run, Schedule, SystemExperiment};
+use crate::runs::{Experiment, Pace, Schedule, TopInAxes};
 use heavytop::methods::Formulation;
 use heavytop::{HeavyTop, PrincipalAxes};
 use lie_poisson::{InstructionSet, Se3Dual};
+use lie_poisson_formula_systems::FormulaSystem;
 use lie_poisson_runs::step_angle::require_sane_step;
 use serde::{Deserialize, Serialize};
 
@@ -69,7 +70,7 @@ impl Config {
     ///
     /// # Errors
     /// If there is no such run.
-    pub fn run(&self) -> Result<Box<dyn Run>, Error> {
+    pub fn run(&self) -> Result<Box<Experiment>, Error> {
         Ok(match self.system_experiment()? {
             Some(system) => Box::new(system),
             None => Box::new(self.experiment()?),
@@ -80,8 +81,9 @@ impl Config {
     ///
     /// # Errors
     /// If there is no such run.
-    pub fn experiment(&self) -> Result<Experiment, Error> {
-        let (top, axes, start) = (self.top()?, self.axes()?, self.start()?);
+    pub fn experiment(&self) -> Result<Experiment<TopInAxes>, Error> {
+        let model = TopInAxes { top: self.top()?, axes: self.axes()? };
+        let start = TopInAxes::coordinates(&self.start()?).to_vec();
         let integration = self.integrator.or(Integration::default());
         let Integration { formulation, step, end, .. } = integration;
         let method = integration.method()?;
@@ -92,9 +94,9 @@ impl Config {
         if attitude && formulation == Formulation::Direct {
             return Err(lie_poisson_runs::RunFailure::NoAttitude { formulation }.into());
         }
-        require_sane_step(&top, &start, step)?;
+        require_sane_step(&model, &start, step)?;
         let pace = Pace { schedule: Schedule::new(step, end)?, every };
-        Ok(Experiment { top, axes, start, method, pace, attitude })
+        Ok(Experiment { model, start, method, pace, attitude })
     }
 
     /// Returns the instruction set on which the last digits of a run depend here: [`Method::instructions`].
@@ -136,7 +138,7 @@ impl Config {
     ///
     /// # Errors
     /// If there is no such run.
-    pub fn system_experiment(&self) -> Result<Option<SystemExperiment>, Error> {
+    pub fn system_experiment(&self) -> Result<Option<Experiment<FormulaSystem>>, Error> {
         let Some(system) = self.system()? else { return Ok(None) };
         if self.output.attitude {
             return Err(SystemTableError::NoAttitude.into());

@@ -1,7 +1,7 @@
 //! The table of a run: its columns and rows.
 
 use crate::errors::SystemTableError;
-use crate::runs::Run;
+use crate::runs::Experiment;
 use lie_poisson::{Covector, Pair, Se3Dual};
 use std::array;
 use std::collections::HashSet;
@@ -78,7 +78,7 @@ impl RunTable {
     ///
     /// # Errors
     /// If a coordinate, or a vector of them, has the name of another column.
-    pub fn new(run: &dyn Run) -> Result<Self, SystemTableError> {
+    pub fn new(run: &Experiment) -> Result<Self, SystemTableError> {
         let mut table = Self { columns: Vec::new(), arrays: Vec::new(), invariants: 0..0 };
         table.push("t", ["t".into()]);
         for (name, columns) in run.coordinates() {
@@ -89,7 +89,7 @@ impl RunTable {
             table.push(&name.clone(), [name]);
         }
         table.invariants = first..table.columns.len();
-        if run.has_attitude() {
+        if run.attitude {
             table.push("q", ATTITUDE_COLUMNS.split(',').map(String::from));
         }
         require_distinct(table.columns.iter().map(String::as_str))?;

@@ -2,7 +2,5 @@
 
 pub(crate) mod run_check;
 
-pub use lie_poisson_runs::{
-    Described, Experiment, Moment, Pace, Run, Saved, Schedule, SystemExperiment,
-};
+pub use lie_poisson_runs::{Experiment, Model, Moment, Pace, Saved, Schedule, TopInAxes};
 pub use run_check::{RunCheck, WithoutOrder};

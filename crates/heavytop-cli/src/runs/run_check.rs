@@ -4,7 +4,7 @@ use crate::Error;
 use crate::vocabulary::brief::number;
 use collective_integrators::RunError;
 use collective_integrators::diagnostics::{NoOrder, RunAccuracy, StepCheck};
-use heavytop::methods::{Formulation, SchemeName};
+use heavytop::methods::Method;
 use lie_poisson::larger;
 use serde::{Serialize, Serializer};
 use std::fmt;
@@ -53,7 +53,7 @@ impl RunCheck {
     /// If a step failed.
     pub(crate) fn of(
         checked: Result<Option<StepCheck>, RunError>,
-        method: (Formulation, SchemeName),
+        method: &Method,
     ) -> Result<Self, Error> {
         match checked {
             Ok(Some(StepCheck { error, order })) => {

@@ -1,6 +1,6 @@
 //! The progress bar of a command.
 
-use crate::runs::Run;
+use crate::runs::Experiment;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::fmt::Write;
 use std::io::IsTerminal;
@@ -25,9 +25,9 @@ pub struct Progress {
 impl Progress {
     /// Creates the bar of a run; `quiet` hides it for good.
     #[must_use]
-    pub fn new(run: &dyn Run, quiet: bool) -> Self {
-        let (formulation, scheme) = run.method();
-        let progress = Self::of(run.pace().schedule.steps, "steps", quiet);
+    pub fn new(run: &Experiment, quiet: bool) -> Self {
+        let (formulation, scheme) = (run.method.formulation(), run.method.scheme());
+        let progress = Self::of(run.pace.schedule.steps, "steps", quiet);
         progress.say(&format!("{}, {}", formulation.name(), scheme.name()));
         progress
     }

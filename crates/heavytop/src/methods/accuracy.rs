@@ -1,4 +1,4 @@
-//! The accuracy of runs of tops: [`Method::accuracy`] and [`Method::check`].
+//! The scales of tops, and the accuracy of their runs: [`Method::accuracy`] and [`Method::check`].
 
 use super::{Method, MethodError};
 use crate::HeavyTop;
@@ -11,43 +11,31 @@ use core::ops::Range;
 use lie_poisson::{Se3Dual, Vector};
 use nalgebra::Vector3;
 
-/// The scales of a top: Π is measured by |Π|, and Γ by |Γ|.
-struct TopScales(HeavyTop);
-
-impl SystemScales for TopScales {
+/// Π is measured by |Π|, and Γ by |Γ|. The differential is (Ω, m g l c). The fastest rate of the motion through (Π, Γ),
+/// rad/s, is |Ω| + √(m g l |Γ|/I), I the least moment: the body turns, and swings.
+///
+/// # Example
+/// ```
+/// use heavytop::HeavyTop;
+/// use heavytop::collective_integrators::diagnostics::SystemScales;
+/// let top = HeavyTop::kovalevskaya(1.0, 1.0)?; // moments (2, 2, 1)
+/// assert_eq!(top.fastest_rate(&[6.0, 0.0, 4.0, 0.0, 0.0, 1.0]), 6.0);
+/// # Ok::<(), heavytop::TopError>(())
+/// ```
+impl SystemScales for HeavyTop {
     fn blocks(&self) -> Vec<Range<usize>> {
         vec![0..3, 3..6]
     }
 
-    /// Returns (Ω, m g l c).
     fn differential(&self, mu: &[f64]) -> Vec<f64> {
-        let weight = self.0.center_of_mass() * self.0.weight_moment();
-        self.0.angular_velocity(&part(mu, 0)).iter().chain(&weight).copied().collect()
+        let weight = self.center_of_mass() * self.weight_moment();
+        self.angular_velocity(&part(mu, 0)).iter().chain(&weight).copied().collect()
     }
 
     fn fastest_rate(&self, mu: &[f64]) -> f64 {
-        self.0.fastest_rate(&part(mu, 0), &part(mu, 3))
-    }
-}
-
-impl HeavyTop {
-    /// Returns the fastest rate of the motion through (Π, Γ), rad/s: |Ω| + √(m g l |Γ|/I), I the least moment. The body
-    /// turns, and swings.
-    ///
-    /// [`Method::accuracy`] measures steps by it.
-    ///
-    /// # Example
-    /// ```
-    /// use heavytop::HeavyTop;
-    /// use heavytop::nalgebra::Vector3;
-    /// let top = HeavyTop::kovalevskaya(1.0, 1.0)?; // moments (2, 2, 1)
-    /// assert_eq!(top.fastest_rate(&Vector3::new(6.0, 0.0, 4.0), &Vector3::z()), 6.0);
-    /// # Ok::<(), heavytop::TopError>(())
-    /// ```
-    #[must_use]
-    pub fn fastest_rate(&self, pi: &Vector3<f64>, gamma: &Vector3<f64>) -> f64 {
+        let (pi, gamma) = (part(mu, 0), part(mu, 3));
         let swing = (self.weight_moment() * gamma.norm() / kinetic(&self.inertia()).min()).sqrt();
-        self.angular_velocity(pi).norm() + swing
+        self.angular_velocity(&pi).norm() + swing
     }
 }
 
@@ -90,7 +78,7 @@ impl Method {
     ) -> Result<RunAccuracy, MethodError> {
         let (integrator, order) = (self.integrator(top)?, self.scheme().order());
         let start = coordinates(start);
-        Ok(run_accuracy(&integrator, &TopScales(*top), &start, steps, order, going))
+        Ok(run_accuracy(&integrator, top, &start, steps, order, going))
     }
 
     /// Checks a whole run of `steps` steps of size `step` from a start by runs with half the step and with twice the step:
@@ -121,7 +109,7 @@ impl Method {
     ) -> Result<Result<Option<StepCheck>, RunError>, MethodError> {
         let (integrator, order) = (self.integrator(top)?, self.scheme().order());
         let start = coordinates(start);
-        Ok(check_by_half_steps(&integrator, &TopScales(*top), &start, steps, order, going))
+        Ok(check_by_half_steps(&integrator, top, &start, steps, order, going))
     }
 }
 

@@ -110,6 +110,12 @@ impl Method {
         self.scheme
     }
 
+    /// Returns the tolerance of the stage equations.
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
     /// Returns the integrator for this top.
     ///
     /// # Errors

@@ -1,9 +1,8 @@
 //! The states between the samples of a run.
 
 use super::interruption::Interruption;
-use super::schedule::Schedule;
 use crate::errors::{failed, refused};
-use collective_integrators::{AnyIntegrator, DenseOutput, DenseOutputError, Start};
+use collective_integrators::{AnyIntegrator, AnyState, DenseOutput, DenseOutputError, Start};
 use pyo3::PyResult;
 
 /// Finds the states at times, in the order of the run. The result has the coordinates of one after the other.
@@ -12,13 +11,13 @@ use pyo3::PyResult;
 /// Returns `ValueError` for times that are not in order, `IntegrationError` where a step fails, and `KeyboardInterrupt`.
 pub(crate) fn states_at(
     integrator: &AnyIntegrator,
-    schedule: &Schedule,
+    (start, step): (&[f64], f64),
     times: &[f64],
 ) -> PyResult<Vec<f64>> {
     let interruption = Interruption::default();
-    let samples = integrator.trajectory(&schedule.start(), schedule.step).map_err(refused)?;
+    let samples = integrator.trajectory(&AnyState::from_slice(start), step).map_err(refused)?;
     let mut run = DenseOutput::new(integrator, interruption.until(samples));
-    let mut states = Vec::with_capacity(times.len() * schedule.start.len());
+    let mut states = Vec::with_capacity(times.len() * start.len());
     let mut append = |&time: &f64| -> PyResult<()> {
         let sample = run.at(time).map_err(|error| match error {
             DenseOutputError::Integration(error) => failed(error),

@@ -1,11 +1,11 @@
 //! Functions of the state whose zeros are found along a run: [`Event`].
 
-use crate::arrays::{numbers, state_of};
 use crate::errors::{IntegrationError, failed, message};
 use crate::formulas::FormulaSource;
 use collective_integrators::{AnyIntegrator, AnyState, Direction, EventError, EventSearch};
 use heavytop::PrincipalAxes;
 use lie_poisson_formulas::{Formula, Vocabulary};
+use lie_poisson_runs::TopInAxes;
 use pyo3::exceptions::PyValueError;
 use pyo3::{PyErr, PyResult};
 
@@ -51,8 +51,8 @@ impl Event {
     ) -> EventSearch<'a, AnyIntegrator, impl Fn(&AnyState) -> f64 + use<'a>> {
         let function = |mu: &AnyState| match &self.axes {
             Some(axes) => {
-                let given = axes.state_from_principal(&state_of(mu.as_slice()));
-                self.function.value_at(&numbers(&given))
+                let given = axes.state_from_principal(&TopInAxes::state(mu.as_slice()));
+                self.function.value_at(&TopInAxes::coordinates(&given))
             }
             None => self.function.value_at(mu.as_slice()),
         };

@@ -1,18 +1,25 @@
 //! Tangent vectors along a run: Lyapunov exponents, MEGNO and SALI.
 
-use super::schedule::Schedule;
-use crate::errors::message;
+use super::interruption::until_interrupted;
+use super::schedule::schedule;
+use crate::errors::{message, refused};
+use crate::recorded::Indicators;
 use collective_integrators::{
-    AnyIntegrator, AnyTangents, Megno, Start, VariationalFlow, smaller_alignment_index,
+    AnyIntegrator, AnyState, AnyTangents, Megno, Start, VariationalFlow, smaller_alignment_index,
 };
 use core::sync::atomic::{AtomicBool, Ordering};
+use heavytop::methods::Method;
+use lie_poisson_runs::{Model, Schedule};
+use pyo3::exceptions::PyValueError;
+use pyo3::{PyResult, Python};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
 /// The number of steps after which a run looks for a request to stop.
 const BETWEEN_REQUESTS: u64 = 1 << 10;
 
 /// The tangent vectors that are followed.
 #[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Tangents {
+enum Tangents {
     /// One, for the largest exponent and MEGNO.
     One,
     /// Two, each by itself, for SALI.
@@ -40,14 +47,65 @@ pub(crate) struct Growth {
     pub(crate) end: Vec<f64>,
 }
 
+/// The step, the end, and the number of steps between two records; 0 records the end alone.
+pub(crate) type Times = (f64, f64, u64);
+
+/// Follows tangent vectors along the run of each start, which is one of its own model or of the only one, on all threads.
+///
+/// # Errors
+/// Returns `ValueError` if a model cannot have its start, the steps are none, or there are no such tangent vectors, and
+/// `KeyboardInterrupt`.
+pub(crate) fn growth_of_models(
+    py: Python<'_>,
+    models: &[&dyn Model],
+    starts: &[Vec<f64>],
+    (step, end, every): Times,
+    (method, tangents): (&Method, &str),
+) -> PyResult<Indicators> {
+    let of = |index: usize| models.get(index).or(models.first());
+    let start = |(index, given): (usize, &Vec<f64>)| match of(index) {
+        Some(model) => model.start(given).map_err(refused),
+        None => Ok(given.clone()),
+    };
+    let starts: Vec<Vec<f64>> = starts.iter().enumerate().map(start).collect::<PyResult<_>>()?;
+    let (schedule, tangents) = (schedule(step, end)?, tangents_named(tangents)?);
+    let runs = until_interrupted(py, |stop| {
+        let one = |(index, start): (usize, &Vec<f64>)| {
+            if stop.load(Ordering::Relaxed) {
+                return Err("interrupted".into());
+            }
+            let model = *of(index).ok_or("there is no system")?;
+            let integrator = model.tangent_integrator(method, start);
+            let integrator = integrator.map_err(|error| message(&error))?;
+            let task = GrowthTask { start, schedule, every, stop, tangents };
+            let mut grown = task.grow(&integrator)?;
+            model.present(&mut grown.end);
+            Ok(grown)
+        };
+        starts.par_iter().enumerate().map(one).collect::<Vec<_>>()
+    })?;
+    Ok(Indicators::new(runs))
+}
+
+/// Returns the tangent vectors of a name.
+fn tangents_named(name: &str) -> PyResult<Tangents> {
+    match name {
+        "one" => Ok(Tangents::One),
+        "two" => Ok(Tangents::Two),
+        "all" => Ok(Tangents::All),
+        other => Err(PyValueError::new_err(format!("tangents are one, two or all, got {other}"))),
+    }
+}
+
 /// How tangent vectors are followed.
-pub(crate) struct GrowthTask<'a> {
-    pub(crate) schedule: &'a Schedule,
+struct GrowthTask<'a> {
+    start: &'a [f64],
+    schedule: Schedule,
     /// The number of steps between two records; 0 records the end alone.
-    pub(crate) every: u64,
+    every: u64,
     /// Set by others if the task is to end.
-    pub(crate) stop: &'a AtomicBool,
-    pub(crate) tangents: Tangents,
+    stop: &'a AtomicBool,
+    tangents: Tangents,
 }
 
 /// An integrator with tangent maps.
@@ -58,7 +116,7 @@ impl GrowthTask<'_> {
     ///
     /// # Errors
     /// Returns the reason why the integrator has no such tangent vectors, or why a step fails.
-    pub(crate) fn grow(&self, integrator: &Motion) -> Result<Growth, String> {
+    fn grow(&self, integrator: &Motion) -> Result<Growth, String> {
         if !integrator.states_are_momenta() {
             return Err(NO_TANGENTS.into());
         }
@@ -79,11 +137,12 @@ impl GrowthTask<'_> {
     /// # Errors
     /// Returns the reason why a step fails.
     fn follow<const K: usize>(&self, integrator: &Motion) -> Result<Growth, String> {
-        let (Schedule { start, step, steps }, tangents) = (self.schedule, self.tangents);
-        let state = integrator.start(&self.schedule.start()).map_err(|error| message(&error))?;
+        let (Schedule { step, steps }, tangents) = (self.schedule, self.tangents);
+        let state =
+            integrator.start(&AnyState::from_slice(self.start)).map_err(|error| message(&error))?;
         // The space may be completed by coordinates that stay zero.
-        let dimension = start.len();
-        let mut flow = VariationalFlow::<_, K>::generic(integrator, state, dimension, *step);
+        let dimension = self.start.len();
+        let mut flow = VariationalFlow::<_, K>::generic(integrator, state, dimension, step);
         let (mut sums, mut megno, mut growth) = ([0.0; K], Megno::default(), Growth::default());
         let kept = if tangents == Tangents::All { K.min(dimension) } else { 1 };
         let stretch = |flow: &mut VariationalFlow<'_, Motion, K>| {
@@ -91,13 +150,13 @@ impl GrowthTask<'_> {
         };
         // Lengths at the start do not count as stretches.
         stretch(&mut flow).map_err(|error| message(&error))?;
-        while flow.steps() < *steps {
+        while flow.steps() < steps {
             flow.advance().map_err(|error| message(&error))?;
             let stretches = stretch(&mut flow).map_err(|error| message(&error))?;
             sums.iter_mut().zip(stretches).for_each(|(sum, stretch)| *sum += stretch.ln());
             stretches.first().into_iter().for_each(|stretch| megno.observe(*stretch));
             let made = flow.steps();
-            if made == *steps || self.every > 0 && made.is_multiple_of(self.every) {
+            if made == steps || self.every > 0 && made.is_multiple_of(self.every) {
                 growth.times.push(flow.time());
                 let exponents = sums.iter().take(kept).map(|sum| sum / flow.time().abs());
                 growth.exponents.extend(exponents);

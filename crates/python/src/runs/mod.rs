@@ -8,3 +8,4 @@ pub(crate) mod record;
 pub(crate) mod recording;
 pub(crate) mod dense;
 pub(crate) mod growth;
+pub(crate) mod following;

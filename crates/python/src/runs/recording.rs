@@ -3,34 +3,24 @@
 use super::event::{Event, event_failed};
 use super::interruption::Interruption;
 use super::record::Record;
-use super::schedule::Schedule;
 use crate::errors::{IntegrationError, failed};
 use collective_integrators::{
     AnyIntegrator, AnyState, EventError, EventSearch, SampleOf, Trajectory,
 };
+use lie_poisson_runs::{Conserved, Schedule};
 use pyo3::PyResult;
-
-/// Functions of the state that are recorded.
-pub(crate) trait Quantities {
-    /// Returns the number of quantities.
-    fn count(&self) -> usize;
-
-    /// Appends the values of the quantities at a state.
-    fn append(&self, mu: &[f64], values: &mut Vec<f64>);
-
-    /// Returns the reason why a quantity has no finite value at a state.
-    fn without_value(&self, mu: &[f64]) -> String;
-}
 
 /// A sample of a run.
 type Sample = SampleOf<AnyIntegrator>;
 
 /// The recording of every n-th sample of a run, and of the last one.
 pub(crate) struct Recording<'a> {
-    pub(crate) schedule: &'a Schedule,
+    pub(crate) schedule: Schedule,
     pub(crate) every: u64,
-    pub(crate) quantities: &'a (dyn Quantities + Sync),
+    pub(crate) conserved: &'a dyn Conserved,
     pub(crate) events: &'a [Event],
+    /// The numbers of coordinates and of conserved quantities.
+    pub(crate) widths: [usize; 2],
     /// Whether the attitude is recorded, which is in the last four coordinates of the states.
     pub(crate) attitude: bool,
 }
@@ -48,7 +38,8 @@ impl Recording<'_> {
     ) -> PyResult<Record> {
         let samples = (self.schedule.steps / self.every).saturating_add(2);
         let attitude_width = if self.attitude { 4 } else { 0 };
-        let widths = [self.schedule.start.len(), self.quantities.count(), attitude_width];
+        let [dimension, count] = self.widths;
+        let widths = [dimension, count, attitude_width];
         let mut record = Record::new(samples, widths, self.events.len())?;
         let mut searches: Vec<_> =
             self.events.iter().map(|event| event.search(integrator)).collect();
@@ -119,9 +110,9 @@ impl Recording<'_> {
     /// Keeps a sample. If a quantity has no finite value there, the run has failed, and only its start is kept.
     fn keep(&self, sample: &Sample, record: &mut Record) {
         let (momentum, before) = (sample.momentum.as_slice(), record.values.len());
-        self.quantities.append(momentum, &mut record.values);
+        self.conserved.append(momentum, &mut record.values);
         if record.values.iter().skip(before).any(|value| !value.is_finite()) {
-            let reason = self.quantities.without_value(momentum);
+            let reason = self.conserved.without_value(momentum);
             let text = format!("at t = {}: {reason}", sample.time);
             record.failure = Some(IntegrationError::new_err(text));
             if before > 0 {

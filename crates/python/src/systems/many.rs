@@ -1,20 +1,21 @@
 //! Many states of one system at once, on all threads.
 
-use super::system::{MethodArgument, System};
+use super::system::System;
 use crate::arrays::rows;
 use crate::errors::message;
 use crate::recorded::Indicators;
-use crate::runs::growth::GrowthTask;
+use crate::runs::following::MethodArgument;
+use crate::runs::growth::{Times, growth_of_models};
 use crate::runs::interruption::until_interrupted;
-use crate::runs::schedule::{Schedule, steps};
-use crate::tops::chaos::tangents_named;
+use crate::runs::schedule::schedule;
 use collective_integrators::{AnyIntegrator, AnyState, CHECKPOINT, Start};
 use core::sync::atomic::{AtomicBool, Ordering};
-use heavytop::methods::Formulation;
-use lie_poisson_formula_systems::{FormulaSystem, SystemMethod};
+use heavytop::methods::{Formulation, Method};
+use lie_poisson_formula_systems::FormulaSystem;
+use lie_poisson_runs::Model;
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::{Bound, PyRef, PyResult, Python, pyfunction};
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::ParallelIterator;
 use rayon::slice::ParallelSlice;
 
 /// The number of runs that share an integrator.
@@ -33,11 +34,12 @@ pub fn advance_system<'py>(
     end: f64,
     method: MethodArgument,
 ) -> PyResult<EndArrays<'py>> {
-    let (method, steps, system) = (system.method(method)?, steps(step, end)?, &system.system);
+    let (method, system) = (system.method(method)?, &system.system);
+    let steps = schedule(step, end)?.steps;
     let starts: Vec<Vec<f64>> = states.as_array().outer_iter().map(|row| row.to_vec()).collect();
     // Which Clebsch map an integrator has depends on the start.
     let is_clebsch = method.formulation() == Formulation::Collective
-        && SystemMethod::default_formulation(system.algebra()) != Formulation::Collective;
+        && system.algebra().default_formulation() != Formulation::Collective;
     let shared = if is_clebsch { 1 } else { SHARED };
     let ends: Vec<Vec<End>> = until_interrupted(py, |stop| {
         let some = |starts: &[Vec<f64>]| Ends { system, starts, step, steps, stop }.all(&method);
@@ -67,9 +69,9 @@ struct Ends<'a> {
 
 impl Ends<'_> {
     /// Follows the starts by the integrator of the first.
-    fn all(&self, method: &SystemMethod) -> Vec<End> {
+    fn all(&self, method: &Method) -> Vec<End> {
         let first = self.starts.first().map(Vec::as_slice).unwrap_or_default();
-        match method.integrator(self.system, first) {
+        match self.system.integrator(method, first) {
             Ok(integrator) => {
                 let integrator = integrator.without_tangents();
                 self.starts.iter().map(|start| self.end(&integrator, start)).collect()
@@ -113,24 +115,11 @@ pub fn growth_of_system(
     py: Python<'_>,
     system: PyRef<'_, System>,
     states: PyReadonlyArray2<'_, f64>,
-    times: (f64, f64, u64),
+    times: Times,
     method: MethodArgument,
     tangents: &str,
 ) -> PyResult<Indicators> {
-    let ((step, end, every), method) = (times, system.method(method)?);
-    let (steps, tangents, system) = (steps(step, end)?, tangents_named(tangents)?, &system.system);
+    let (method, system): (_, &dyn Model) = (system.method(method)?, &system.system);
     let starts: Vec<Vec<f64>> = states.as_array().outer_iter().map(|row| row.to_vec()).collect();
-    let runs = until_interrupted(py, |stop| {
-        let one = |start: &Vec<f64>| {
-            if stop.load(Ordering::Relaxed) {
-                return Err("interrupted".into());
-            }
-            let schedule = Schedule { start: start.clone(), step, steps };
-            let task = GrowthTask { schedule: &schedule, every, stop, tangents };
-            let integrator = method.integrator(system, start).map_err(|error| message(&error))?;
-            task.grow(&integrator)
-        };
-        starts.par_iter().map(one).collect::<Vec<_>>()
-    })?;
-    Ok(Indicators::new(runs))
+    growth_of_models(py, &[system], &starts, times, (&method, tangents))
 }

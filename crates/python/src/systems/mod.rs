@@ -1,6 +1,5 @@
 //! Any Lie–Poisson system: its algebra and its Hamiltonian, its runs, and many of them at once.
 
-pub(crate) mod invariants;
 pub(crate) mod algebra;
 pub(crate) mod system;
 pub(crate) mod many;

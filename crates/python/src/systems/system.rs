@@ -1,24 +1,20 @@
 //! A Lie–Poisson system as a Python class.
 
 use super::algebra::{AlgebraSource, ParameterArgument, parameters};
-use super::invariants::Invariants;
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::formulas::{FormulaSource, expressions};
 use crate::recorded::Recorded;
-use crate::runs::accuracy::{Accuracy, Check, accuracy, check};
-use crate::runs::dense::states_at;
+use crate::runs::accuracy::{Accuracy, Check};
 use crate::runs::event::{Event, EventArgument};
-use crate::runs::interruption::{Interruption, until_interrupted};
-use crate::runs::recording::Recording;
-use crate::runs::schedule::Schedule;
-use collective_integrators::Start;
+use crate::runs::following::{Following, MethodArgument, Setting};
+use crate::runs::interruption::until_interrupted;
+use collective_integrators::diagnostics::SystemScales;
 use core::sync::atomic::Ordering;
-use heavytop::methods::MethodError;
-use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemMethod};
+use heavytop::methods::{Method, MethodError};
+use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError};
 use lie_poisson_formulas::Vocabulary;
 use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
-use pyo3::exceptions::PyValueError;
 use pyo3::types::{PyAnyMethods, PyType};
 use pyo3::{Bound, PyResult, Python, pyclass, pymethods};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -33,12 +29,6 @@ pub struct System {
 
 /// The arguments from which a system is made.
 type Source = (AlgebraSource, FormulaSource, Vec<ParameterArgument>);
-
-/// A formulation, which may be left to the algebra, a scheme, and the tolerance of its stage equations.
-pub(crate) type MethodArgument = (Option<String>, String, f64);
-
-/// The start, the step and the method of a run.
-type Setting = (Vec<f64>, f64, MethodArgument);
 
 #[pymethods]
 impl System {
@@ -101,8 +91,8 @@ impl System {
     #[getter]
     fn formulations(&self) -> Vec<String> {
         let algebra = self.system.algebra();
-        let first = SystemMethod::default_formulation(algebra);
-        let others = SystemMethod::formulations(algebra).filter(|other| *other != first);
+        let first = algebra.default_formulation();
+        let others = algebra.formulations().filter(|other| *other != first);
         core::iter::once(first).chain(others).map(|f| f.name().to_owned()).collect()
     }
 
@@ -150,48 +140,21 @@ impl System {
         every: u64,
         events: Vec<EventArgument>,
     ) -> PyResult<Recorded> {
-        let (start, step, method) = setting;
-        let (method, schedule) = (self.method(method)?, Schedule::new(start, step, end)?);
-        if every == 0 {
-            return Err(PyValueError::new_err("every must be at least 1, got 0"));
-        }
         let events = Event::all(&events, &self.names, None)?;
-        let quantities = &Invariants(&self.system);
-        let recording =
-            Recording { schedule: &schedule, every, quantities, events: &events, attitude: false };
-        let record = py.detach(|| {
-            let integrator = method.integrator(&self.system, &schedule.start).map_err(refused)?;
-            self.system.invariants(&schedule.start).map_err(refused)?;
-            let integrator = integrator.without_tangents();
-            let run = integrator.trajectory(&schedule.start(), step).map_err(refused)?;
-            recording.follow(&integrator, run)
-        })?;
-        let widths = [self.system.algebra().dimension(), 1 + self.system.casimirs().len()];
+        let run = self.following(&setting)?;
+        self.system.invariants(&setting.0).map_err(refused)?;
+        let (record, widths) = run.record(py, (end, every), &events, None)?;
         Recorded::new(py, record, widths)
     }
 
     /// Measures how accurate a run of so many steps is: the angle of a step (rad), the estimated error, and a warning.
     fn accuracy(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Accuracy> {
-        let (start, step, method) = setting;
-        let method = self.method(method)?;
-        py.detach(|| {
-            let interruption = Interruption::default();
-            let measured =
-                method.accuracy(&self.system, &start, (step, steps), &|| interruption.is_going());
-            interruption.or(measured.map(accuracy).map_err(refused))
-        })
+        self.following(&setting)?.accuracy(py, steps)
     }
 
     /// Checks a run of so many steps by half the step and twice the step, and returns the error and the order.
     fn check(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Check> {
-        let (start, step, method) = setting;
-        let method = self.method(method)?;
-        py.detach(|| {
-            let interruption = Interruption::default();
-            let checked =
-                method.check(&self.system, &start, (step, steps), &|| interruption.is_going());
-            interruption.or(checked.map_err(refused).and_then(check))
-        })
+        self.following(&setting)?.check(py, steps)
     }
 
     /// Returns the states at times in the order of the run, as rows.
@@ -201,31 +164,29 @@ impl System {
         setting: Setting,
         times: Vec<f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let (start, step, method) = setting;
-        let (method, dimension) = (self.method(method)?, start.len());
-        let schedule = Schedule { start, step, steps: u64::MAX };
-        let states = py.detach(|| {
-            let integrator = method.integrator(&self.system, &schedule.start).map_err(refused)?;
-            states_at(&integrator.without_tangents(), &schedule, &times)
-        })?;
-        rows(py, states, [times.len(), dimension])
+        self.following(&setting)?.states_at(py, &times)
     }
 }
 
 impl System {
+    /// Returns what is done along the run of a setting.
+    fn following(&self, (start, step, method): &Setting) -> PyResult<Following<'_>> {
+        Following::new(&self.system, self.method(method.clone())?, (start, *step))
+    }
+
     /// Returns the method of these names.
     pub(crate) fn method(
         &self,
         (formulation, scheme, tolerance): MethodArgument,
-    ) -> PyResult<SystemMethod> {
+    ) -> PyResult<Method> {
         let algebra = self.system.algebra();
-        let method = || -> Result<SystemMethod, FormulaSystemError> {
+        let method = || -> Result<Method, FormulaSystemError> {
             let formulation = match formulation {
                 Some(name) => name.parse().map_err(MethodError::from)?,
-                None => SystemMethod::default_formulation(algebra),
+                None => algebra.default_formulation(),
             };
             let scheme = scheme.parse().map_err(MethodError::from)?;
-            SystemMethod::new(algebra, formulation, scheme, tolerance)
+            algebra.method(formulation, scheme, tolerance)
         };
         method().map_err(refused)
     }

@@ -1,13 +1,14 @@
 //! Many tops at once, on SIMD lanes and on all threads.
 
 use super::top::Top;
-use crate::arrays::{numbers, read_rows, rows};
+use crate::arrays::{read_rows, rows};
 use crate::errors::{message, refused};
-use crate::runs::schedule::steps;
+use crate::runs::schedule::schedule;
 use crate::threads::threads;
 use collective_integrators::{BatchIntegrator, CHECKPOINT, Ensemble, MemberError};
 use heavytop::{GaussBatch, HeavyTop, MidpointBatch, TopMidpoint};
 use lie_poisson::Se3Dual;
+use lie_poisson_runs::TopInAxes;
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::{Bound, PyRef, PyResult, Python, pyfunction};
@@ -28,8 +29,8 @@ pub fn advance_states<'py>(
 ) -> PyResult<Ends<'py>> {
     let states = read_rows("the states", &states)?.into_iter().map(|given| top.principal(given));
     let mut states = states.collect::<PyResult<Vec<Se3Dual>>>()?;
-    let (steps, of) = (steps(step, end)?, [*top]);
-    let top = top.top;
+    let (steps, of) = (schedule(step, end)?.steps, [*top]);
+    let top = top.model.top;
     if scheme != "implicit-midpoint" {
         return advance_members(
             py,
@@ -57,9 +58,9 @@ pub fn advance_tops<'py>(
     let states = read_rows("the states", &states)?;
     require_equal(tops.len(), states.len())?;
     let tops: Vec<Top> = tops.iter().map(|top| **top).collect();
-    let member = |(top, given): (&Top, [f64; 6])| Ok((top.top, top.principal(given)?));
+    let member = |(top, given): (&Top, [f64; 6])| Ok((top.model.top, top.principal(given)?));
     let members = tops.iter().zip(states).map(member).collect::<PyResult<Vec<_>>>()?;
-    advance_members(py, members, (&tops, step, steps(step, end)?), scheme)
+    advance_members(py, members, (&tops, step, schedule(step, end)?.steps), scheme)
 }
 
 fn advance_members<'py>(
@@ -133,7 +134,7 @@ fn ends<'py, 'a>(
     let failures = failures.iter().map(|failure| (failure.index, message(&failure.source)));
     let given = |(index, mu): (usize, &'a Se3Dual)| {
         let top = tops.get(index).or(tops.first());
-        top.map_or_else(|| numbers(mu), |top| top.given(mu))
+        top.map_or_else(|| TopInAxes::coordinates(mu), |top| top.given(mu))
     };
     let states: Vec<f64> = states.enumerate().flat_map(given).collect();
     let count = states.len() / 6;
@@ -157,13 +158,15 @@ pub fn invariants_of_tops<'py>(
     };
     require_equal(tops.len(), states.len())?;
     require_equal(tops.len(), starts.len())?;
-    let mut conserved =
-        tops.iter().zip(&starts).map(|(top, given)| top.top.invariants_from(&top.in_axes(given)));
+    let mut conserved = tops
+        .iter()
+        .zip(&starts)
+        .map(|(top, given)| top.model.top.invariants_from(&top.in_axes(given)));
     let mut common = conserved.next().unwrap_or_default();
     conserved.for_each(|own| common.retain(|invariant| own.contains(invariant)));
     let values = tops.iter().zip(&states).flat_map(|(top, given)| {
         let mu = top.in_axes(given);
-        common.iter().map(move |invariant| invariant.value(&top.top, &mu))
+        common.iter().map(move |invariant| invariant.value(&top.model.top, &mu))
     });
     let values = rows(py, values.collect(), [states.len(), common.len()])?;
     Ok((common.iter().map(|invariant| invariant.symbol()).collect(), values))

@@ -1,7 +1,6 @@
 //! One top, its sections and its chaos, and many tops at once.
 
 pub(crate) mod body;
-pub(crate) mod invariants;
 pub(crate) mod top;
 pub(crate) mod many;
 pub(crate) mod sections;

@@ -28,8 +28,8 @@ pub fn section_starts<'py>(
         .ok_or_else(|| PyValueError::new_err(format!("there is no coordinate {name}")))?;
     let surface = Surface { variable, level: value, direction: direction(way)? };
     let starts = py.detach(|| {
-        let level = EnergyLevel { top: of.top, energy, vertical_momentum };
-        Section::in_axes(level, surface, &of.axes)?.starts(count, seed)
+        let level = EnergyLevel { top: of.model.top, energy, vertical_momentum };
+        Section::in_axes(level, surface, &of.model.axes)?.starts(count, seed)
     });
     let starts = starts.map_err(refused)?;
     let starts: Vec<f64> = starts.iter().flat_map(|mu| of.given(mu)).collect();

@@ -1,46 +1,36 @@
 //! The heavy top as a Python class.
 
 use super::body::{BodyArguments, InertiaArgument};
-use super::invariants::Invariants;
-use crate::arrays::{numbers, read_rows, rows, state};
+use crate::arrays::{read_rows, rows};
 use crate::errors::refused;
 use crate::recorded::Recorded;
-use crate::runs::accuracy::{Accuracy, Check, accuracy, check};
-use crate::runs::dense::states_at;
+use crate::runs::accuracy::{Accuracy, Check};
 use crate::runs::event::{Event, EventArgument};
-use crate::runs::interruption::Interruption;
-use crate::runs::record::Record;
-use crate::runs::recording::Recording;
-use crate::runs::schedule::Schedule;
-use collective_integrators::{Integrator, Start};
-use heavytop::methods::{Method, MethodError};
-use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
-use lie_poisson::{Covector, Pair, Quaternion, Se3, Se3Dual};
+use crate::runs::following::{Following, MethodArgument, Setting, present};
+use collective_integrators::diagnostics::SystemScales;
+use heavytop::methods::{Formulation, Method, MethodError};
+use heavytop::{HeavyTop, Invariant, attitude_of_vertical};
+use lie_poisson::{Quaternion, Se3, Se3Dual};
 use lie_poisson_formulas::{Parameters, Vocabulary};
+use lie_poisson_runs::{Model, TopInAxes};
 use nalgebra::Vector3;
 use numpy::{PyArray2, PyReadonlyArray2};
-use pyo3::exceptions::PyValueError;
 use pyo3::types::{PyAnyMethods, PyType};
 use pyo3::{Bound, PyResult, Python, pyclass, pymethods};
-
-/// The reason why a formulation has no attitude.
-const NO_ATTITUDE: &str = "direct has no attitude: its six equations do not determine it; collective, reduced and splitting have one";
 
 /// A heavy top: a rigid body that turns about a fixed point, under gravity.
 #[pyclass(frozen, module = "heavytop._native", from_py_object)]
 #[derive(Clone, Copy)]
 pub struct Top {
-    /// The top in its principal axes.
-    pub(crate) top: HeavyTop,
-    /// The principal axes, in the axes of the states that Python sees.
-    pub(crate) axes: PrincipalAxes,
+    /// The top, and the axes of the states that Python sees.
+    pub(crate) model: TopInAxes,
     /// The arguments of a top whose moments are a matrix, or about the centre of mass.
     given: Option<BodyArguments>,
 }
 
 impl From<HeavyTop> for Top {
     fn from(top: HeavyTop) -> Self {
-        Self { top, axes: PrincipalAxes::aligned(top.inertia()), given: None }
+        Self { model: top.into(), given: None }
     }
 }
 
@@ -50,36 +40,19 @@ impl Top {
     /// # Errors
     /// `ValueError` if a thin rod has an angular momentum about itself.
     pub(crate) fn principal(&self, given: [f64; 6]) -> PyResult<Se3Dual> {
-        let mu = self.in_axes(&given);
-        self.top.require_state(&mu).map_err(refused)?;
-        Ok(mu)
+        Ok(TopInAxes::state(&self.model.start(&given).map_err(refused)?))
     }
 
     /// Returns the state in principal axes of six numbers, which may be one that a thin rod cannot have.
     pub(crate) fn in_axes(&self, given: &[f64; 6]) -> Se3Dual {
-        self.axes.state_to_principal(&state(*given))
+        self.model.axes.state_to_principal(&TopInAxes::state(given))
     }
 
     /// Returns the six numbers of a state in principal axes.
     pub(crate) fn given(&self, mu: &Se3Dual) -> [f64; 6] {
-        numbers(&self.axes.state_from_principal(mu))
-    }
-
-    /// Replaces states in principal axes, as rows of six numbers one after the other, by those that Python sees.
-    pub(crate) fn give(&self, states: &mut [f64]) {
-        if !self.axes.is_aligned() {
-            for row in states.as_chunks_mut::<6>().0 {
-                *row = self.given(&state(*row));
-            }
-        }
+        TopInAxes::coordinates(&self.model.given(mu))
     }
 }
-
-/// A formulation, a scheme, and the tolerance of its stage equations.
-pub(crate) type MethodNames = (String, String, f64);
-
-/// The start (Π, Γ), the step and the method of a run.
-type Setting = ([f64; 6], f64, MethodNames);
 
 /// The attitude at the start: none is recorded, or the shortest rotation, or this quaternion.
 type AttitudeArgument = (bool, Option<[f64; 4]>);
@@ -103,7 +76,7 @@ impl Top {
         let axes = body.axes().map_err(refused)?;
         let top = body.top(&axes).map_err(refused)?;
         let given = Some(body).filter(|_| is_central || !axes.is_aligned());
-        Ok(Self { top, axes, given })
+        Ok(Self { model: TopInAxes { top, axes }, given })
     }
 
     /// Returns the reason why no body has these moments about the support, if there is one.
@@ -145,7 +118,7 @@ impl Top {
 
     /// Returns what pickle needs to make an equal top.
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
-        let Self { top, given, .. } = *slf.get();
+        let Self { model: TopInAxes { top, .. }, given } = *slf.get();
         let weight = top.weight_moment();
         let [mass, gravity] = if weight > 0.0 { [weight, 1.0] } else { [1.0, 0.0] };
         let parameters = match given {
@@ -161,20 +134,19 @@ impl Top {
     /// The principal moments of inertia.
     #[getter]
     fn inertia(&self) -> [f64; 3] {
-        self.top.inertia().into()
+        self.model.top.inertia().into()
     }
 
     /// The rows of the rotation whose columns are the principal axes.
     #[getter]
     fn principal_axes(&self) -> [[f64; 3]; 3] {
-        self.axes.rotation().transpose().into()
+        self.model.axes.rotation().transpose().into()
     }
 
     /// Returns the fastest rate of the motion through each of n states, as rows.
     fn fastest_rates(&self, states: PyReadonlyArray2<'_, f64>) -> PyResult<Vec<f64>> {
         let rate = |given: [f64; 6]| {
-            let Covector(Pair(pi, gamma)) = self.in_axes(&given);
-            self.top.fastest_rate(&pi, &gamma)
+            self.model.fastest_rate(&TopInAxes::coordinates(&self.in_axes(&given)))
         };
         Ok(read_rows("the states", &states)?.into_iter().map(rate).collect())
     }
@@ -182,20 +154,20 @@ impl Top {
     /// The weight moment m g l.
     #[getter]
     fn weight_moment(&self) -> f64 {
-        self.top.weight_moment()
+        self.model.top.weight_moment()
     }
 
     /// The direction of the centre of mass.
     #[getter]
     fn center_of_mass(&self) -> [f64; 3] {
-        let principal = self.top.center_of_mass();
+        let principal = self.model.top.center_of_mass();
         self.given.map_or_else(|| principal.into(), |body| body.center_of_mass)
     }
 
     /// The symbols of the quantities that this top conserves in every state.
     #[getter]
     fn invariants(&self) -> Vec<&'static str> {
-        self.top.invariants().iter().map(|invariant| invariant.symbol()).collect()
+        self.model.top.invariants().iter().map(|invariant| invariant.symbol()).collect()
     }
 
     /// Returns the symbols of the quantities that this top conserves from each of n states, as rows.
@@ -215,7 +187,7 @@ impl Top {
         let mut values = Vec::with_capacity(count * invariants.len());
         for given in states {
             let mu = self.in_axes(&given);
-            values.extend(invariants.iter().map(|invariant| invariant.value(&self.top, &mu)));
+            values.extend(invariants.iter().map(|invariant| invariant.value(&self.model.top, &mu)));
         }
         rows(py, values, [count, invariants.len()])
     }
@@ -230,64 +202,44 @@ impl Top {
         attitude: AttitudeArgument,
         events: Vec<EventArgument>,
     ) -> PyResult<Recorded> {
-        let (start, step, method) = setting;
-        let first = self.principal(start)?;
-        let (method, schedule) = (made(method)?, Schedule::new(numbers(&first).into(), step, end)?);
-        if every == 0 {
-            return Err(PyValueError::new_err("every must be at least 1, got 0"));
-        }
-        let turned = Some(self.axes).filter(|axes| !axes.is_aligned());
-        let (list, events) =
-            (self.top.invariants_from(&first), Event::all(&events, &names()?, turned)?);
-        let (attitude, initial) = attitude;
-        let quantities = &Invariants { top: &self.top, list: &list };
-        let recording =
-            Recording { schedule: &schedule, every, quantities, events: &events, attitude };
-        let initial_attitude =
+        let axes = self.model.axes;
+        let turned = Some(axes).filter(|axes| !axes.is_aligned());
+        let events = Event::all(&events, &names()?, turned)?;
+        let (has_attitude, initial) = attitude;
+        let initial =
             initial.map(|[scalar, x, y, z]| Quaternion { scalar, vector: Vector3::new(x, y, z) });
         // In principal axes the shortest rotation is another one.
-        let shortest = turned.map(|_| attitude_of_vertical(&state(start).0.1));
-        let initial_attitude =
-            initial_attitude.or(shortest).map(|q| self.axes.attitude_to_principal(&q));
-        let record = || self.record(&method, &recording, initial_attitude);
-        let mut record = py.detach(record)?;
-        self.give(&mut record.samples.states);
-        record.events.iter_mut().for_each(|points| self.give(&mut points.states));
+        let shortest = turned.map(|_| attitude_of_vertical(&TopInAxes::state(&setting.0).0.1));
+        let initial = initial.or(shortest).map(|q| axes.attitude_to_principal(&q));
+        let initial = has_attitude.then_some(initial);
+        let run = self.following(&setting)?;
+        let (mut record, widths) = run.record(py, (end, every), &events, initial)?;
+        present(&self.model, &mut record.samples.states, widths[0]);
+        for points in &mut record.events {
+            present(&self.model, &mut points.states, widths[0]);
+        }
         if turned.is_some() {
             // The start itself is reported, and not what rounding has made of it.
-            record.samples.states.iter_mut().zip(start).for_each(|(x, given)| *x = given);
+            let states = record.samples.states.iter_mut();
+            states.zip(&setting.0).for_each(|(x, given)| *x = *given);
             for q in record.attitudes.as_chunks_mut::<4>().0 {
                 let [scalar, x, y, z] = *q;
                 let principal = Quaternion { scalar, vector: Vector3::new(x, y, z) };
-                let Quaternion { scalar, vector } = self.axes.attitude_from_principal(&principal);
+                let Quaternion { scalar, vector } = axes.attitude_from_principal(&principal);
                 *q = [scalar, vector.x, vector.y, vector.z];
             }
         }
-        Recorded::new(py, record, [6, list.len()])
+        Recorded::new(py, record, widths)
     }
 
     /// Measures how accurate a run of so many steps is: the angle of a step (rad), the estimated error, and a warning.
     fn accuracy(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Accuracy> {
-        let (start, step, method) = setting;
-        let (method, start) = (made(method)?, self.principal(start)?);
-        py.detach(|| {
-            let interruption = Interruption::default();
-            let measured =
-                method.accuracy(&self.top, &start, (step, steps), &|| interruption.is_going());
-            interruption.or(measured.map(accuracy).map_err(refused))
-        })
+        self.following(&setting)?.accuracy(py, steps)
     }
 
     /// Checks a run of so many steps by half the step and twice the step, and returns the error and the order.
     fn check(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Check> {
-        let (start, step, method) = setting;
-        let (method, start) = (made(method)?, self.principal(start)?);
-        py.detach(|| {
-            let interruption = Interruption::default();
-            let checked =
-                method.check(&self.top, &start, (step, steps), &|| interruption.is_going());
-            interruption.or(checked.map_err(refused).and_then(check))
-        })
+        self.following(&setting)?.check(py, steps)
     }
 
     /// Returns the states at times in the order of the run, as rows.
@@ -297,53 +249,25 @@ impl Top {
         setting: Setting,
         times: Vec<f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let (start, step, method) = setting;
-        let method = made(method)?;
-        let start = numbers(&self.principal(start)?).into();
-        let schedule = Schedule { start, step, steps: u64::MAX };
-        let mut states = py.detach(|| {
-            let integrator = method.integrator(&self.top).map_err(refused)?;
-            states_at(&integrator, &schedule, &times)
-        })?;
-        self.give(&mut states);
-        rows(py, states, [times.len(), 6])
+        self.following(&setting)?.states_at(py, &times)
     }
 }
 
 impl Top {
-    /// Records a run by a method, from an attitude; without one, from the shortest rotation of Γ to the vertical.
-    fn record(
-        &self,
-        method: &Method,
-        recording: &Recording<'_>,
-        initial_attitude: Option<Quaternion>,
-    ) -> PyResult<Record> {
-        let (start, step) = (recording.schedule.start(), recording.schedule.step);
-        if !recording.attitude {
-            let integrator = method.integrator(&self.top).map_err(refused)?;
-            let run = integrator.trajectory(&start, step).map_err(refused)?;
-            return recording.follow(&integrator, run);
-        }
-        let integrator = method.integrator_with_attitude(&self.top).map_err(refused)?;
-        let integrator = integrator.ok_or_else(|| PyValueError::new_err(NO_ATTITUDE))?;
-        let mut state = integrator.start(&start).map_err(refused)?;
-        let given = initial_attitude.zip(state.as_mut_slice().last_chunk_mut::<4>());
-        if let Some((Quaternion { scalar, vector }, last)) = given {
-            *last = [scalar, vector.x, vector.y, vector.z];
-        }
-        let run = integrator.trajectory_from(state, step).through(start);
-        recording.follow(&integrator, run)
+    /// Returns what is done along the run of a setting.
+    fn following(&self, (start, step, method): &Setting) -> PyResult<Following<'_>> {
+        Following::new(&self.model, method_of(method.clone())?, (start, *step))
     }
 
     /// Returns the quantities that this top conserves from each of the states.
     fn conserved(&self, states: &[[f64; 6]]) -> Vec<Invariant> {
-        let from = |given: &[f64; 6]| self.top.invariants_from(&self.in_axes(given));
-        let mut all = states.first().map_or_else(|| self.top.invariants(), from);
+        let from = |given: &[f64; 6]| self.model.top.invariants_from(&self.in_axes(given));
+        let mut all = states.first().map_or_else(|| self.model.top.invariants(), from);
         // G is the only one that depends on the state.
-        if all.len() > self.top.invariants().len()
+        if all.len() > self.model.top.invariants().len()
             && states.iter().any(|given| from(given).len() < all.len())
         {
-            all = self.top.invariants();
+            all = self.model.top.invariants();
         }
         all
     }
@@ -355,9 +279,10 @@ fn names() -> PyResult<Vocabulary> {
 }
 
 /// Returns the method of these names.
-pub(crate) fn made((formulation, scheme, tolerance): MethodNames) -> PyResult<Method> {
+pub(crate) fn method_of((formulation, scheme, tolerance): MethodArgument) -> PyResult<Method> {
     let method = || -> Result<_, MethodError> {
-        Method::new(formulation.parse()?, scheme.parse()?, tolerance)
+        let formulation = formulation.map_or(Ok(Formulation::default()), |name| name.parse())?;
+        Method::new(formulation, scheme.parse()?, tolerance)
     };
     method().map_err(refused)
 }

@@ -1,37 +1,57 @@
-//! The run of a top: [`Experiment`].
+//! A run: [`Experiment`].
 
-use super::method_warning::method_warning;
+use super::moment::{Moment, Saved};
 use super::pace::Pace;
-use super::run::{Described, Fill, Run, visit_samples};
 use super::schedule::Schedule;
 use crate::RunFailure;
+use crate::models::conserved::Conserved;
+use crate::models::model::Model;
+use crate::models::top_in_axes::TopInAxes;
 use collective_integrators::diagnostics::{RunAccuracy, StepCheck};
-use collective_integrators::{AnyIntegrator, AnyState, RunError};
-use heavytop::methods::{Formulation, Method, SchemeName, attitude_of};
-use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
-use lie_poisson::{Covector, Pair, Quaternion, Se3Dual, Vector};
-use serde_json::{Map, Value};
+use collective_integrators::{AnyIntegrator, AnyState, Integrator, RunError, SampleOf, Start};
+use core::ops::Deref;
+use heavytop::methods::{Method, attitude_of};
+use lie_poisson::{Quaternion, Se3Dual};
 
-/// A top, its initial state, and the method and steps of a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Experiment {
-    /// The top that is followed, in its principal axes.
-    pub top: HeavyTop,
-    /// The principal axes, in the axes of the output.
-    pub axes: PrincipalAxes,
-    /// The initial state (Π(0), Γ(0)), in the principal axes.
-    pub start: Se3Dual,
+/// The sample of a run.
+type AnySample = SampleOf<AnyIntegrator>;
+
+/// A system, its initial state, and the method and steps by which it is followed.
+///
+/// What writes tables, draws or shows progress needs no more than an `Experiment<dyn Model>`, which every experiment is by
+/// reference.
+#[derive(Clone, Debug)]
+pub struct Experiment<M: Model + ?Sized = dyn Model> {
+    /// The coordinates of the initial momentum, in the axes of the computation.
+    pub start: Vec<f64>,
     /// The integrator of the run.
     pub method: Method,
     /// The steps of the run, and which of them are written.
     pub pace: Pace,
     /// Whether the attitude is followed.
     pub attitude: bool,
+    /// The system that is followed.
+    pub model: M,
 }
 
-impl Experiment {
-    /// Passes moments of the run to `visit`, those of [`follow`](trait@Run#method.follow): the number of the step, the
-    /// time (s), (Π, Γ) and the attitude, if it is followed, of the principal axes. The initial state comes first.
+/// A run of a model that is known is a run of any model.
+impl<M: Model + 'static> Deref for Experiment<M> {
+    type Target = Experiment;
+
+    fn deref(&self) -> &Experiment {
+        self
+    }
+}
+
+impl Experiment<TopInAxes> {
+    /// Returns the initial state (Π(0), Γ(0)), in the principal axes.
+    #[must_use]
+    pub fn initial_state(&self) -> Se3Dual {
+        TopInAxes::state(&self.start)
+    }
+
+    /// Passes moments of the run to `visit`, those of [`follow`](Experiment::follow): the number of the step, the time (s),
+    /// (Π, Γ) and the attitude, if it is followed, of the principal axes. The initial state comes first.
     ///
     /// # Errors
     /// If the initial state has no lift, a step fails, `visit` fails, or the formulation does not determine the attitude
@@ -40,122 +60,208 @@ impl Experiment {
     where
         V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), E>,
     {
-        visit_samples(self, None, &mut |sample| {
+        self.visit_samples(None, &mut |sample| {
             let attitude = self.attitude.then(|| attitude_of(sample.state.as_slice()));
-            let momentum = momentum_of(sample.momentum.as_slice());
+            let momentum = TopInAxes::state(sample.momentum.as_slice());
             visit(sample.step, sample.time, &momentum, attitude.as_ref())
         })
     }
-
-    /// Returns the invariants that are columns of their own.
-    fn invariants(&self) -> Vec<Invariant> {
-        let mut invariants = self.top.invariants_from(&self.start);
-        // f₃ is a component of Π in principal axes, which is a column already if these are the axes of the columns.
-        if self.axes.is_aligned() && self.top.axial_component().is_some() {
-            invariants.retain(|invariant| *invariant != Invariant::AxialMomentum);
-        }
-        invariants
-    }
 }
 
-impl Run for Experiment {
-    fn coordinates(&self) -> Vec<(String, Vec<String>)> {
-        let vector = |name: &str| (name.into(), (1..=3).map(|i| format!("{name}{i}")).collect());
-        vec![vector("Pi"), vector("Gamma")]
+impl Experiment {
+    /// Returns the coordinates: the name of each vector or scalar, with the names of its columns.
+    #[must_use]
+    pub fn coordinates(&self) -> Vec<(String, Vec<String>)> {
+        self.model.coordinates()
     }
 
-    fn conserved(&self) -> Vec<String> {
-        self.invariants().into_iter().map(|invariant| invariant.symbol().into()).collect()
+    /// Returns the names of the conserved quantities that have columns of their own.
+    #[must_use]
+    pub fn conserved(&self) -> Vec<String> {
+        let mut names = self.model.conserved(&self.start).names();
+        names.retain(|name| !self.model.is_coordinate(name));
+        names
     }
 
-    fn initial(&self) -> Result<Vec<f64>, RunFailure> {
-        Ok(self.invariants().into_iter().map(|f| f.value(&self.top, &self.start)).collect())
+    /// Returns the initial values of the conserved quantities that have columns of their own.
+    ///
+    /// # Errors
+    /// If one has no value there.
+    pub fn initial(&self) -> Result<Vec<f64>, RunFailure> {
+        let conserved = self.model.conserved(&self.start);
+        let values = conserved.values(&self.start);
+        let mut values = values.map_err(|reason| RunFailure::NoValue { time: 0.0, reason })?;
+        if let Some(place) = self.repeated(&*conserved) {
+            values.remove(place);
+        }
+        Ok(values)
     }
 
-    fn has_attitude(&self) -> bool {
-        self.attitude
+    /// Returns the place of the conserved quantity that is a coordinate.
+    fn repeated(&self, conserved: &dyn Conserved) -> Option<usize> {
+        conserved.names().iter().position(|name| self.model.is_coordinate(name))
     }
 
-    fn method(&self) -> (Formulation, SchemeName) {
-        (self.method.formulation(), self.method.scheme())
-    }
-
-    fn pace(&self) -> Pace {
-        self.pace
-    }
-
-    fn begin(&self) -> Result<(AnyIntegrator, AnyState), RunFailure> {
-        let formulation = self.method.formulation();
+    /// Returns the integrator, and the state from which it starts.
+    ///
+    /// # Errors
+    /// If there is no such integrator, or the formulation does not determine the attitude that is asked for.
+    pub fn begin(&self) -> Result<(AnyIntegrator, AnyState), RunFailure> {
         let integrator = match self.attitude {
-            true => self
-                .method
-                .integrator_with_attitude(&self.top)?
-                .ok_or(RunFailure::NoAttitude { formulation })?,
-            false => self.method.integrator(&self.top)?,
+            true => self.model.integrator_with_attitude(&self.method, &self.start)?,
+            false => self.model.integrator(&self.method, &self.start)?,
         };
-        Ok((integrator, AnyState::of(&self.start)))
+        Ok((integrator, AnyState::from_slice(&self.start)))
     }
 
-    /// The axes of the rows are those in which the top was given.
-    fn rows(&self) -> Box<Fill<'_>> {
-        let (axes, invariants) = (&self.axes, self.invariants());
-        let turned = !axes.is_aligned();
-        let turn = turn_about_the_vertical(axes, &self.start);
-        Box::new(move |row, sample| {
-            let momentum = momentum_of(sample.momentum.as_slice());
-            let Covector(Pair(pi, gamma)) =
-                if turned { axes.state_from_principal(&momentum) } else { momentum };
-            row.clear();
-            row.extend([sample.time, pi.x, pi.y, pi.z, gamma.x, gamma.y, gamma.z]);
-            row.extend(invariants.iter().map(|f| f.value(&self.top, &momentum)));
-            if self.attitude {
-                let q = attitude_of(sample.state.as_slice());
-                let q = if turned { turn * axes.attitude_from_principal(&q) } else { q };
-                row.extend([q.scalar, q.vector.x, q.vector.y, q.vector.z]);
-            }
-            Ok(())
-        })
-    }
-
-    fn accuracy(&self, going: &dyn Fn() -> bool) -> Result<RunAccuracy, RunFailure> {
+    /// Measures how accurate the run is, by a repetition of its beginning with half the step. There is no estimate if
+    /// `going` tells it to end.
+    ///
+    /// # Errors
+    /// If there is no such integrator.
+    pub fn accuracy(&self, going: &dyn Fn() -> bool) -> Result<RunAccuracy, RunFailure> {
         let Schedule { step, steps } = self.pace.schedule;
-        Ok(self.method.accuracy(&self.top, &self.start, (step, steps), going)?)
+        self.model.accuracy(&self.method, &self.start, (step, steps), going)
     }
 
-    fn compared(
+    /// Repeats the whole run with half the step and with twice the step, unless `going` tells it to end.
+    ///
+    /// # Errors
+    /// If there is no such integrator; within, if a step fails.
+    pub fn compared(
         &self,
         going: &dyn Fn() -> bool,
     ) -> Result<Result<Option<StepCheck>, RunError>, RunFailure> {
         let Schedule { step, steps } = self.pace.schedule;
-        Ok(self.method.check(&self.top, &self.start, (step, steps), going)?)
+        self.model.check(&self.method, &self.start, (step, steps), going)
     }
 
-    fn warning(&self) -> Result<Option<String>, RunFailure> {
-        Ok(method_warning(&self.method))
+    /// Returns a warning for users about what the method does not conserve.
+    ///
+    /// # Errors
+    /// If there is no such method.
+    pub fn warning(&self) -> Result<Option<String>, RunFailure> {
+        self.model.warning(&self.method, &self.start)
     }
 
-    fn described(&self) -> Result<Described, RunFailure> {
-        Ok(Described::default())
+    /// Passes moments of the run to `visit`, from the initial one or from the first after a saved one: those that are
+    /// [written](Pace::keeps), those of a step whose number is a multiple of
+    /// [`CHECKPOINT`](collective_integrators::CHECKPOINT), and the last one. The steps between them cost nothing else.
+    ///
+    /// A run that continues from such a multiple equals the uninterrupted run to the last bit.
+    ///
+    /// # Errors
+    /// If the initial state has no lift, a step fails, a conserved quantity has no value, `visit` fails, or the saved
+    /// state does not fit this run.
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+    /// use lie_poisson_runs::{Experiment, Pace, RunFailure, Schedule};
+    /// let algebra = SystemAlgebra::named("so(3)")?;
+    /// let method = algebra.method("collective".parse()?, "gauss-4".parse()?, 0.0)?;
+    /// let model = FormulaSystem::new(algebra, "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2", &Default::default())?;
+    /// let pace = Pace { schedule: Schedule::new(0.1, 200.0)?, every: 500 };
+    /// let run = Experiment { model, start: vec![1.0, 2.0, 0.5], method, pace, attitude: false };
+    /// let (mut saved, mut last) = (None, None);
+    /// run.follow(None, |moment| -> Result<(), RunFailure> {
+    ///     if moment.step == 1024 {
+    ///         saved = Some(moment.saved());
+    ///     }
+    ///     last = Some(moment.row.to_vec());
+    ///     Ok(())
+    /// })?;
+    /// let mut again = None;
+    /// run.follow(saved.as_ref(), |moment| Ok::<_, RunFailure>(again = Some(moment.row.to_vec())))?;
+    /// assert!(saved.is_some() && last == again);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn follow<E: From<RunFailure>>(
+        &self,
+        from: Option<&Saved>,
+        mut visit: impl FnMut(&Moment<'_>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let (mut fill, mut row) = (self.rows(), Vec::new());
+        self.visit_samples(from, &mut |sample| {
+            fill(&mut row, sample)?;
+            visit(&Moment { step: sample.step, row: &row, state: &sample.state })
+        })
     }
 
-    fn last(&self, row: &[f64]) -> Map<String, Value> {
-        let vector = |from: usize| row.get(from..from + 3).unwrap_or_default().into();
-        [("angular_momentum", vector(1)), ("vertical", vector(4))]
-            .map(|(name, values)| (name.to_owned(), values))
-            .into_iter()
-            .collect()
+    /// Returns what replaces a row by that of a sample: the time, the coordinates, the conserved quantities and the
+    /// attitude, if it is followed. It fails where a conserved quantity has no value.
+    fn rows(&self) -> impl FnMut(&mut Vec<f64>, &AnySample) -> Result<(), RunFailure> {
+        let (model, conserved) = (&self.model, self.model.conserved(&self.start));
+        let repeated = self.repeated(&*conserved);
+        let present_attitude = self.attitude.then(|| model.present_attitude(&self.start));
+        move |row, sample| {
+            let (time, momentum) = (sample.time, sample.momentum.as_slice());
+            row.clear();
+            row.push(time);
+            row.extend_from_slice(momentum);
+            if let Some(coordinates) = row.get_mut(1..) {
+                model.present(coordinates);
+            }
+            let first = row.len();
+            conserved
+                .append_finite(momentum, row)
+                .map_err(|reason| RunFailure::NoValue { time, reason })?;
+            if let Some(place) = repeated {
+                row.remove(first + place);
+            }
+            if let Some(present) = &present_attitude {
+                let Quaternion { scalar, vector } = present(attitude_of(sample.state.as_slice()));
+                row.extend([scalar, vector.x, vector.y, vector.z]);
+            }
+            Ok(())
+        }
     }
-}
 
-/// Returns (Π, Γ) of its coordinates.
-fn momentum_of(coordinates: &[f64]) -> Se3Dual {
-    Vector::from_coordinates(|i| coordinates.get(i).copied().unwrap_or(f64::NAN))
-}
+    /// Returns the number of coordinates of the state that the integrator advances.
+    ///
+    /// # Errors
+    /// Those of [`begin`](Self::begin).
+    pub fn dimension(&self) -> Result<usize, RunFailure> {
+        Ok(self.begin()?.0.state_dimension())
+    }
 
-/// Returns the turn about the vertical that takes the attitude of the columns, where that of the principal axes is the
-/// shortest one, to the shortest one.
-fn turn_about_the_vertical(axes: &PrincipalAxes, start: &Se3Dual) -> Quaternion {
-    let given = axes.state_from_principal(start);
-    let shortest = axes.attitude_from_principal(&attitude_of_vertical(&start.0.1));
-    attitude_of_vertical(&given.0.1) * shortest.conjugate()
+    /// Passes samples to `visit`: from the start on, or from the first one after a saved state, those that the pace visits.
+    ///
+    /// # Errors
+    /// If the start has no lift, the saved state does not fit, a step fails, or `visit` fails.
+    fn visit_samples<E: From<RunFailure>>(
+        &self,
+        from: Option<&Saved>,
+        visit: &mut dyn FnMut(&AnySample) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let ((integrator, start), pace) = (self.begin()?, self.pace);
+        let Schedule { step, steps } = pace.schedule;
+        let (mut trajectory, made) = match from {
+            None => (integrator.trajectory(&start, step).map_err(RunFailure::from)?, 0),
+            Some(Saved { step: made, state }) => {
+                let (expected, found) = (integrator.state_dimension(), state.len());
+                if expected != found {
+                    return Err(RunFailure::SavedState { expected, found }.into());
+                }
+                let state = AnyState::from_slice(state);
+                (integrator.trajectory_resumed(state, *made, step), *made)
+            }
+        };
+        if from.is_some() && made >= steps {
+            return Ok(());
+        }
+        // The saved moment has been visited before.
+        let mut visited = from.map_or(0, |_| pace.next_visited(made));
+        let mut following = made;
+        while let Some(sample) = trajectory.nth(visited.saturating_sub(following) as usize) {
+            let sample = sample.map_err(|source| RunFailure::of_step(&self.method, source))?;
+            visit(&sample)?;
+            if sample.step >= steps {
+                break;
+            }
+            following = sample.step.saturating_add(1);
+            visited = pace.next_visited(sample.step);
+        }
+        Ok(())
+    }
 }

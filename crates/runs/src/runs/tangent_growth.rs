@@ -6,7 +6,7 @@ use collective_integrators::{
     AnyIntegrator, AnyState, AnyTangents, Megno, Start, VariationalError, VariationalFlow,
     smaller_alignment_index,
 };
-use heavytop::methods::{Formulation, SchemeName};
+use heavytop::methods::Method;
 use lie_poisson::State;
 
 /// The end of a motion, and how its tangent vectors have grown.
@@ -35,16 +35,15 @@ impl TangentGrowth {
     /// √((1 − ½)(½ − ⅓)) Π₂:
     /// ```
     /// use collective_integrators::AnyState;
-    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
     /// use lie_poisson_runs::{Schedule, TangentGrowth};
     /// let algebra = SystemAlgebra::named("so(3)")?;
-    /// let method = SystemMethod::new(&algebra, "direct".parse()?, "gauss-8".parse()?, 0.0)?;
+    /// let method = algebra.method("direct".parse()?, "gauss-8".parse()?, 0.0)?;
     /// let body = FormulaSystem::new(algebra, "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2", &Default::default())?;
     /// let start = [0.0, 1.0, 0.0];
-    /// let integrator = method.integrator(&body, &start)?;
-    /// let names = (method.formulation(), method.scheme());
+    /// let integrator = body.integrator(&method, &start)?;
     /// let (from, schedule) = (AnyState::from_slice(&start), Schedule::new(0.1, 100.0)?);
-    /// let grown = TangentGrowth::follow(&integrator, &from, schedule, (1, names), &mut |_, _| ())?;
+    /// let grown = TangentGrowth::follow(&integrator, &from, schedule, (1, &method), &mut |_, _| ())?;
     /// assert!((grown.lyapunov - (1.0_f64 / 12.0).sqrt()).abs() < 0.01);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -52,7 +51,7 @@ impl TangentGrowth {
         integrator: &AnyIntegrator<dyn AnyTangents>,
         start: &AnyState,
         schedule: Schedule,
-        (tangents, method): (usize, (Formulation, SchemeName)),
+        (tangents, method): (usize, &Method),
         observe: &mut dyn FnMut(f64, &[f64]),
     ) -> Result<Self, RunFailure> {
         let state = integrator.start(start)?;

@@ -3,15 +3,18 @@
 use crate::support::{experiment, of_formula, pace};
 use collective_integrators::AnyState;
 use heavytop::methods::{Formulation, MethodError, SchemeName};
+use heavytop::{Body, HeavyTop};
 use lie_poisson::Se3Dual;
-use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use lie_poisson_formulas::{Coordinates, Parameters};
 use lie_poisson_runs::contests::{Contest, TimedProblem};
-use lie_poisson_runs::{Run, RunFailure, Saved, Schedule, TangentGrowth, step_angle};
+use lie_poisson_runs::{
+    Experiment, Model, RunFailure, Saved, Schedule, TangentGrowth, TopInAxes, step_angle,
+};
 use nalgebra::Vector3;
 use std::collections::BTreeSet;
 
-fn followed(run: &dyn Run, from: Option<&Saved>) -> RunFailure {
+fn followed(run: &Experiment, from: Option<&Saved>) -> RunFailure {
     run.follow(from, |_| Ok::<_, RunFailure>(())).unwrap_err()
 }
 
@@ -19,7 +22,7 @@ fn timed(start: Se3Dual) -> RunFailure {
     let states = vec![start];
     let (early, late) = (states.clone(), states.clone());
     let problem = TimedProblem {
-        top: experiment("collective", "gauss-4", pace(0.1, 1.0, 1)).top,
+        top: experiment("collective", "gauss-4", pace(0.1, 1.0, 1)).model.top,
         end: 20.0,
         tops: 1,
         starts: states,
@@ -49,18 +52,26 @@ fn lost() -> RunFailure {
     );
     let system = FormulaSystem::new(algebra.unwrap(), "x + y^2", &Parameters::new()).unwrap();
     let names = (Formulation::Collective, SchemeName::Gauss(4));
-    let method = SystemMethod::new(system.algebra(), names.0, names.1, 0.0).unwrap();
+    let method = system.algebra().method(names.0, names.1, 0.0).unwrap();
     let origin = [0.0; 3];
-    let integrator = method.integrator(&system, &origin).unwrap();
+    let integrator = system.integrator(&method, &origin).unwrap();
     let (origin, schedule) = (AnyState::from_slice(&origin), Schedule::new(1.0, 3.0).unwrap());
-    TangentGrowth::follow(&integrator, &origin, schedule, (1, names), &mut |_, _| ()).unwrap_err()
+    TangentGrowth::follow(&integrator, &origin, schedule, (1, &method), &mut |_, _| ()).unwrap_err()
+}
+
+/// Returns a thin rod, which has no angular momentum about itself.
+fn rod() -> TopInAxes {
+    let inertia = Vector3::new(0.12, 0.12, 0.0);
+    let body =
+        Body { inertia, mass: 1.0, gravity: 9.81, length: 0.3, center_of_mass: Vector3::z() };
+    HeavyTop::new(&body).unwrap().into()
 }
 
 #[test]
 fn every_error_names_what_is_wrong() {
     let run = experiment("collective", "gauss-4", pace(0.1, 1.0, 1));
-    let mut no_start = run;
-    no_start.start = Se3Dual::new(Vector3::zeros(), Vector3::zeros());
+    let mut no_start = run.clone();
+    no_start.start = vec![0.0; 6];
     let mut no_attitude = experiment("direct", "rk4", pace(0.1, 1.0, 1));
     no_attitude.attitude = true;
     let failing = experiment("collective", "lobatto-iiia-iiib-4", pace(2.0, 4.0, 1));
@@ -70,11 +81,12 @@ fn every_error_names_what_is_wrong() {
     of_another.start.pop();
     let fast = Se3Dual::new(Vector3::new(0.0, 0.0, 1e200), Vector3::z());
     let schedule = |step, end| Schedule::new(step, end).unwrap_err();
-    let early = TimedProblem::with_references(run.top, 10.0, vec![run.start]).unwrap_err();
+    let early = TimedProblem::with_references(run.model.top, 10.0, vec![fast]).unwrap_err();
     let errors = [
         (followed(&no_start, None), "no lift"),
         (RunFailure::from(MethodError::Tolerance { value: -1.0 }), "-1"),
         (followed(&of_another, None), "2"),
+        (rod().start(&[0.1, 0.0, 0.3, 0.0, 0.0, 1.0]).unwrap_err(), "0.3"),
         (followed(&no_attitude, None), "direct has no attitude"),
         (followed(&run, Some(&Saved { step: 1024, state: vec![0.0] })), "has 1 numbers"),
         (schedule(0.0, 1.0), "step must be finite and different from 0, got 0"),

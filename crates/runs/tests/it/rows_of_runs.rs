@@ -2,11 +2,11 @@
 
 use crate::support::{START, experiment, of_formula, pace, top};
 use collective_integrators::{AnyState, Start};
-use lie_poisson_runs::{Run, RunFailure};
+use lie_poisson_runs::{Experiment, RunFailure};
 
 /// Returns the rows that a run writes.
-fn rows(run: &dyn Run) -> Vec<Vec<f64>> {
-    let (mut rows, pace) = (Vec::new(), run.pace());
+fn rows(run: &Experiment) -> Vec<Vec<f64>> {
+    let (mut rows, pace) = (Vec::new(), run.pace);
     let visit = |moment: &lie_poisson_runs::Moment<'_>| -> Result<(), RunFailure> {
         if pace.keeps(moment.step) {
             rows.push(moment.row.to_vec());
@@ -53,7 +53,7 @@ fn rows_have_the_columns_that_are_named() {
     // 0, 7, 14, 21, 28 and 30
     assert_eq!((rows.len() as u64, rows.len()), (run.pace.rows(), 6));
     let integrator = run.method.integrator(&top()).unwrap();
-    let end = integrator.after(&AnyState::of(&run.start), 0.1, 30).unwrap().momentum;
+    let end = integrator.after(&AnyState::from_slice(&run.start), 0.1, 30).unwrap().momentum;
     assert_eq!(rows[5][1..7], *end.as_slice());
 }
 
@@ -67,7 +67,7 @@ fn a_run_goes_on_from_a_saved_moment() {
         ("collective", "gauss-6"),
         pace(0.05, 150.0, 1000),
     );
-    for run in [&top as &dyn Run, &body] {
+    for run in [&*top as &Experiment, &*body] {
         let (mut saved, mut last) = (None, Vec::new());
         let visit = |moment: &lie_poisson_runs::Moment<'_>| -> Result<(), RunFailure> {
             if moment.step == 2048 {

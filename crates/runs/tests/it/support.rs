@@ -1,11 +1,10 @@
 //! Runs that the tests share.
 
+use heavytop::HeavyTop;
 use heavytop::methods::Method;
-use heavytop::{HeavyTop, PrincipalAxes};
-use lie_poisson::Se3Dual;
-use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemMethod};
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use lie_poisson_formulas::Parameters;
-use lie_poisson_runs::{Experiment, Pace, Schedule, SystemExperiment};
+use lie_poisson_runs::{Experiment, Pace, Schedule, TopInAxes};
 use nalgebra::Vector3;
 
 pub const INERTIA: [f64; 3] = [2.0, 3.0, 4.0];
@@ -29,12 +28,10 @@ pub fn top() -> HeavyTop {
 }
 
 /// Returns a run of the top.
-pub fn experiment(formulation: &str, scheme: &str, pace: Pace) -> Experiment {
-    let [a, b, c, x, y, z] = START;
+pub fn experiment(formulation: &str, scheme: &str, pace: Pace) -> Experiment<TopInAxes> {
     Experiment {
-        top: top(),
-        axes: PrincipalAxes::aligned(Vector3::from(INERTIA)),
-        start: Se3Dual::new(Vector3::new(a, b, c), Vector3::new(x, y, z)),
+        model: top().into(),
+        start: START.to_vec(),
         method: Method::new(formulation.parse().unwrap(), scheme.parse().unwrap(), 0.0).unwrap(),
         pace,
         attitude: false,
@@ -47,10 +44,10 @@ pub fn of_formula(
     start: &[f64],
     (formulation, scheme): (&str, &str),
     pace: Pace,
-) -> SystemExperiment {
+) -> Experiment<FormulaSystem> {
     let algebra = SystemAlgebra::named(algebra).unwrap();
     let (formulation, scheme) = (formulation.parse().unwrap(), scheme.parse().unwrap());
-    let method = SystemMethod::new(&algebra, formulation, scheme, 0.0).unwrap();
-    let system = FormulaSystem::new(algebra, hamiltonian, &Parameters::new()).unwrap();
-    SystemExperiment { system, start: start.to_vec(), method, pace }
+    let method = algebra.method(formulation, scheme, 0.0).unwrap();
+    let model = FormulaSystem::new(algebra, hamiltonian, &Parameters::new()).unwrap();
+    Experiment { model, start: start.to_vec(), method, pace, attitude: false }
 }

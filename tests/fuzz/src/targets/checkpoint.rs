@@ -4,7 +4,6 @@ use super::configuration::first_steps;
 use crate::case_file::case_file;
 use heavytop_cli::Error;
 use heavytop_cli::commands::simulate::Checkpoint;
-use heavytop_cli::runs::Run;
 
 /// The version that the cases of the corpus name.
 const VERSION: &str = "version = \"0.1.0\"";
@@ -51,7 +50,7 @@ pub fn goes_on(case: &[u8]) -> bool {
     *steps = (*steps).min(saved.step.saturating_add(2));
     let finite = saved.state.iter().all(|x| x.is_finite());
     let mut moments = 0;
-    let followed = (&experiment as &dyn Run).follow(Some(&saved), |moment| {
+    let followed = experiment.follow(Some(&saved), |moment| {
         let state = &moment.row[1..7];
         assert!(!finite || state.iter().all(|x| x.is_finite()), "{state:?}");
         moments += 1;

@@ -4,7 +4,6 @@ use crate::case_file::case_file;
 use heavytop_cli::Error;
 use heavytop_cli::configuration::Config;
 use heavytop_cli::reading::Sources;
-use heavytop_cli::runs::Run;
 
 /// The number of samples that are computed of a run.
 const SAMPLES: usize = 3;
@@ -55,17 +54,8 @@ pub(super) fn first_steps(config: &Config) -> Result<(), Error> {
         seen += 1;
         if seen == SAMPLES { Err(enough()) } else { Ok(()) }
     };
-    let run: Box<dyn Run> = match config.system_experiment()? {
-        Some(mut system) => {
-            system.pace.every = 1;
-            Box::new(system)
-        }
-        None => {
-            let mut experiment = config.experiment()?;
-            experiment.pace.every = 1;
-            Box::new(experiment)
-        }
-    };
+    let mut run = config.run()?;
+    run.pace.every = 1;
     let width = 1 + run.coordinates().iter().map(|(_, columns)| columns.len()).sum::<usize>();
     let outcome = run.follow(None, |moment| see(&moment.row[..width]));
     match outcome {

@@ -5,7 +5,7 @@ use collective_integrators::{AnyState, Direction, Start, StepError};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::So3;
 use lie_poisson_formula_systems::{
-    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemMethod, SystemSection, structure_table,
+    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemSection, structure_table,
 };
 use lie_poisson_formulas::{Coordinates, Parameters, StructureEntry, find_casimirs};
 
@@ -56,17 +56,15 @@ pub fn systems_and_states() -> Vec<String> {
     let plane = SystemAlgebra::of_entries(Coordinates::scalars(["x", "y"]).unwrap(), Vec::new());
     let plane = FormulaSystem::new(plane.unwrap(), "x", &none).unwrap();
     let state = [1.0, 0.5, 0.2];
-    let method = |formulation, tolerance| {
-        SystemMethod::new(&so3, formulation, SchemeName::Gauss(2), tolerance)
-    };
+    let method = |formulation, tolerance| so3.method(formulation, SchemeName::Gauss(2), tolerance);
     // The reciprocal of the only constant is not finite, so that the Clebsch map has no units.
     let constants = vec![StructureEntry { i: 0, j: 1, k: 2, value: 1e-310 }];
     let tiny = SystemAlgebra::of_entries(Coordinates::scalars(["x", "y", "z"]).unwrap(), constants);
     let unlifted = || -> Outcome<()> {
         let tiny = FormulaSystem::new(tiny?, "x^2 + z", &Parameters::new())?;
         let collective = Formulation::Collective;
-        let method = SystemMethod::new(tiny.algebra(), collective, SchemeName::Gauss(2), 0.0)?;
-        method.integrator(&tiny, &state).map(drop)
+        let method = tiny.algebra().method(collective, SchemeName::Gauss(2), 0.0)?;
+        tiny.integrator(&method, &state).map(drop)
     };
     // y/x² is a Casimir, but no polynomial; z is another one.
     let section_on_another_orbit = || -> Outcome<_> {
@@ -85,10 +83,10 @@ pub fn systems_and_states() -> Vec<String> {
         let text = "y^2/2 + 100*exp(-1000*(x - 1)^2)";
         let hill = FormulaSystem::new(line, text, &Parameters::new())?;
         let (collective, rk4) = (Formulation::Collective, SchemeName::Rk4);
-        let method = SystemMethod::new(hill.algebra(), collective, rk4, 0.0)?;
+        let method = hill.algebra().method(collective, rk4, 0.0)?;
         // control: where the energy is smooth, the same step is made
         let step = |start: [f64; 2]| -> Outcome<Result<(), StepError>> {
-            let integrator = method.integrator(&hill, &start)?.without_tangents();
+            let integrator = hill.integrator(&method, &start)?.without_tangents();
             let mut run = integrator.trajectory(&AnyState::from_slice(&start), 0.5).unwrap();
             let end = run.nth(1).unwrap();
             Ok(end.map(|_| ()).map_err(|error| error.source))

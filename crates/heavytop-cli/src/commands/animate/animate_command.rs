@@ -7,10 +7,9 @@ use crate::configuration::Config;
 use crate::files::{Kind, Output, Place, contains};
 use crate::pictures::caption;
 use crate::runs::run_check::accuracy_warning;
-use crate::runs::{Experiment, Run};
+use crate::runs::{Experiment, TopInAxes};
 use crate::supervision::warnings::warn;
 use crate::supervision::{Progress, Watch};
-use lie_poisson_runs::method_warning::method_warning;
 use std::path::Path;
 
 /// The largest number of frames of a page; that many take some 3.5 MB, and longer runs are thinned out.
@@ -57,11 +56,10 @@ pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<Page
         let _shown = Progress::estimating(watch.quiet);
         experiment.accuracy(&|| watch.require_going().is_ok())?
     };
-    let warnings =
-        [method_warning(&experiment.method), accuracy_warning(&accuracy), config.body_warning()];
+    let warnings = [experiment.warning()?, accuracy_warning(&accuracy), config.body_warning()];
     warnings.into_iter().flatten().for_each(warn);
 
-    let mut animation = Animation::new(experiment.top, &description(&experiment));
+    let mut animation = Animation::new(experiment.model.top, &description(&experiment));
     let outcome = record(&experiment, &mut animation, watch);
     let written = match &outcome {
         Err(Error::Interrupted { .. }) => Ok(()),
@@ -85,7 +83,7 @@ pub fn animate(mut config: Config, out: &Path, watch: &Watch<'_>) -> Result<Page
 }
 
 fn record(
-    experiment: &Experiment,
+    experiment: &Experiment<TopInAxes>,
     animation: &mut Animation,
     watch: &Watch<'_>,
 ) -> Result<(), Error> {
@@ -102,13 +100,13 @@ fn record(
 }
 
 /// Returns the least multiple of `every` that gives at most [`MOST_FRAMES`] frames, the first and the last included.
-fn frame_every(experiment: &Experiment) -> u64 {
+fn frame_every(experiment: &Experiment<TopInAxes>) -> u64 {
     let gaps = experiment.pace.schedule.steps.div_ceil(experiment.pace.every);
     experiment.pace.every.saturating_mul(gaps.div_ceil(MOST_FRAMES - 1))
 }
 
 /// Describes in words how the motion was computed.
-fn description(experiment: &Experiment) -> String {
+fn description(experiment: &Experiment<TopInAxes>) -> String {
     let (method, step) = (experiment.method, experiment.pace.schedule.step);
     let method = caption::method(method.formulation(), method.scheme(), step);
     let frames = match experiment.pace.every {

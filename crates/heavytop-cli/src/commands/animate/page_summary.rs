@@ -3,7 +3,7 @@
 use super::animation::Animation;
 use crate::files::place::shown;
 use crate::runs::run_check::{write_accuracy, write_method};
-use crate::runs::{Experiment, Pace};
+use crate::runs::{Experiment, Pace, TopInAxes};
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -36,7 +36,11 @@ pub struct PageSummary {
 
 impl PageSummary {
     /// Creates the summary of a page, as yet without the accuracy of its motion.
-    pub(super) fn new(experiment: &Experiment, animation: &Animation, out: &Path) -> Self {
+    pub(super) fn new(
+        experiment: &Experiment<TopInAxes>,
+        animation: &Animation,
+        out: &Path,
+    ) -> Self {
         let Experiment { method, pace: Pace { schedule, every }, .. } = experiment;
         Self {
             out: out.into(),

@@ -6,7 +6,7 @@ use super::style::Style;
 use crate::pictures::caption::{self, number};
 use crate::pictures::lettering::{FONT, fitting, width};
 use crate::pictures::numerals::power_of_ten;
-use crate::runs::Experiment;
+use crate::runs::{Experiment, TopInAxes};
 use heavytop::methods::{Formulation, SchemeName};
 use std::fmt::Write;
 
@@ -29,7 +29,11 @@ const LARGEST: f64 = 1.0;
 ///
 /// It leaves out a run that another step of the same method beats in both error and time. It rings the runs with the
 /// configured step.
-pub(super) fn chart(measurements: &[Measurement], experiment: &Experiment, end: f64) -> String {
+pub(super) fn chart(
+    measurements: &[Measurement],
+    experiment: &Experiment<TopInAxes>,
+    end: f64,
+) -> String {
     let step = experiment.pace.schedule.step;
     let solutions = measurements.iter().filter(|m| m.outcome.relative <= LARGEST);
     let solutions: Vec<Measurement> = solutions.copied().collect();
@@ -158,7 +162,7 @@ fn curve(svg: &mut String, axes: &Axes, style: Style, runs: &[Measurement], step
     );
 }
 
-fn titles(svg: &mut String, experiment: &Experiment, end: f64) {
+fn titles(svg: &mut String, experiment: &Experiment<TopInAxes>, end: f64) {
     let (x, y) = (CORNERS[1].0 - 150.0, HEIGHT - 250.0);
     let middle = CORNERS[1].1 / 2.0 + HEIGHT / 2.0;
     let error = format!(
@@ -172,7 +176,11 @@ fn titles(svg: &mut String, experiment: &Experiment, end: f64) {
         "<g text-anchor=\"middle\"><text x=\"{x}\" y=\"{y}\">computing time per simulated time</text>\
          <text transform=\"translate(320 {middle}) rotate(-90)\" font-size=\"{size:.0}\">{error}</text>"
     );
-    let words = format!("{}; {}", caption::top(&experiment.top), caption::start(&experiment.start));
+    let words = format!(
+        "{}; {}",
+        caption::top(&experiment.model.top),
+        caption::start(&experiment.initial_state())
+    );
     let size = fitting(&words, TEXT, WIDTH - 600.0);
     let _ = write!(
         svg,

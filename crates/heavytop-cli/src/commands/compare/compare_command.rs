@@ -8,7 +8,7 @@ use crate::configuration::{Config, Integration};
 use crate::files::place::require_folder;
 use crate::files::{Kind, Output, OutputSet};
 use crate::pictures::render;
-use crate::runs::{Experiment, Schedule};
+use crate::runs::{Experiment, Schedule, TopInAxes};
 use crate::supervision::warnings::warn;
 use crate::supervision::{Progress, Watch};
 use heavytop::methods::{ComposedScheme, Formulation, Method, SchemeName};
@@ -125,7 +125,7 @@ pub fn compare(
 }
 
 /// Returns the configured steps to the end of the interval (s).
-fn schedule_to(experiment: &Experiment, end: f64) -> Result<Schedule, Error> {
+fn schedule_to(experiment: &Experiment<TopInAxes>, end: f64) -> Result<Schedule, Error> {
     let refused = |source: lie_poisson_runs::RunFailure| Error::Argument {
         name: "end",
         source: Box::new(source.into()),
@@ -157,12 +157,17 @@ fn ladder(steps: u64) -> Vec<u64> {
 }
 
 fn measure(
-    experiment: &Experiment,
+    experiment: &Experiment<TopInAxes>,
     method: Method,
     steps: u64,
     reference: &Reference,
 ) -> Result<Measurement, Error> {
-    let task = Measure { top: &experiment.top, start: &experiment.start, steps, reference };
+    let task = Measure {
+        top: &experiment.model.top,
+        start: &experiment.initial_state(),
+        steps,
+        reference,
+    };
     let outcome = task.of(&method)?;
     Ok(Measurement { method, step: reference.end / steps as f64, end: reference.end, outcome })
 }

@@ -1,7 +1,7 @@
 //! The measurement of errors and computing times.
 
 use crate::Error;
-use crate::runs::Experiment;
+use crate::runs::{Experiment, TopInAxes};
 use crate::supervision::Watch;
 use collective_integrators::{AnyIntegrator, AnyState, IntegrationError, Start};
 use heavytop::methods::{Formulation, Method, SchemeName};
@@ -83,19 +83,23 @@ impl Reference {
     ///
     /// # Errors
     /// If the result with the whole step differs, or the command shall end.
-    pub fn new(experiment: &Experiment, steps: u64, watch: &Watch<'_>) -> Result<Self, Error> {
+    pub fn new(
+        experiment: &Experiment<TopInAxes>,
+        steps: u64,
+        watch: &Watch<'_>,
+    ) -> Result<Self, Error> {
         let step = experiment.pace.schedule.step;
-        let mut sizes = BlockScales::of(&experiment.start);
+        let mut sizes = BlockScales::of(&experiment.initial_state());
         let gauss = Method::new(Formulation::Reduced, SchemeName::Gauss(8), 0.0)?;
         let mut end = |halvings: u64| {
-            let mut experiment = *experiment;
+            let mut experiment = experiment.clone();
             experiment.method = gauss;
             experiment.attitude = false;
             // The sizes are those of all states.
             experiment.pace.every = 1;
             experiment.pace.schedule.step = step / halvings as f64;
             experiment.pace.schedule.steps = steps * halvings;
-            let mut end = experiment.start;
+            let mut end = experiment.initial_state();
             experiment.run(|_, _, mu, _| {
                 end = *mu;
                 sizes.include(mu);
@@ -213,7 +217,7 @@ mod tests {
             0.2 * length,
         );
         let experiment = toml::from_str::<Config>(&text)?.experiment()?;
-        let (top, start, steps) = (&experiment.top, &experiment.start, 40);
+        let (top, start, steps) = (&experiment.model.top, &experiment.initial_state(), 40);
         let reference = Reference::new(&experiment, steps, &Watch::default())?;
         let mut found = Vec::new();
         for (formulation, scheme) in [

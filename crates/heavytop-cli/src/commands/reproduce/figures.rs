@@ -95,7 +95,7 @@ fn words(record: &Record) -> Vec<String> {
     let run = &record.experiment;
     let [step, end] = [run.pace.schedule.step, run.pace.schedule.end()].map(caption::number);
     let steps = format!("step {step} s, 0 to {end} s");
-    vec![caption::top(&run.top), caption::start(&run.start), steps]
+    vec![caption::top(&run.model.top), caption::start(&run.initial_state()), steps]
 }
 
 fn curve<'a>(records: &'a [Record], quantity: Invariant, line: &Line) -> Option<Curve<'a>> {

@@ -1,6 +1,6 @@
 //! The record of a run: its largest deviations, and curves thin enough to draw.
 
-use crate::runs::Experiment;
+use crate::runs::{Experiment, TopInAxes};
 use heavytop::Invariant;
 
 /// The four conserved quantities of the experiment.
@@ -18,7 +18,7 @@ const MOST_PAIRS: u64 = 10_000;
 #[derive(Clone, Debug)]
 pub(super) struct Record {
     /// The recorded run.
-    pub experiment: Experiment,
+    pub experiment: Experiment<TopInAxes>,
     /// The largest deviation max |quantity − initial value| of each quantity, NaN if the quantity was NaN at any
     /// step.
     pub deviations: [f64; 4],
@@ -30,9 +30,9 @@ pub(super) struct Record {
 
 impl Record {
     /// Creates the empty record of a run.
-    pub fn new(experiment: &Experiment) -> Self {
+    pub fn new(experiment: &Experiment<TopInAxes>) -> Self {
         Self {
-            experiment: *experiment,
+            experiment: experiment.clone(),
             deviations: [0.0; 4],
             curves: Default::default(),
             initial: [0.0; 4],

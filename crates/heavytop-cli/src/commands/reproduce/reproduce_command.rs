@@ -9,7 +9,7 @@ use crate::files::place::require_folder;
 use crate::files::{Kind, Output, OutputSet};
 use crate::formats::run_table::{STATE_COLUMNS, append_row, state_values};
 use crate::pictures::render;
-use crate::runs::Experiment;
+use crate::runs::{Experiment, TopInAxes};
 use crate::supervision::{Progress, Watch};
 use heavytop::methods::{Formulation, SchemeName};
 use std::io::Write;
@@ -107,7 +107,7 @@ fn write_figures_and_summary(
 
 /// Runs all experiments; writes every state, and records what the figures and tables need.
 fn run(
-    experiments: &[Experiment],
+    experiments: &[Experiment<TopInAxes>],
     trajectories: &mut Output,
     watch: &Watch<'_>,
 ) -> Result<Vec<Record>, Error> {
@@ -123,7 +123,7 @@ fn run(
             experiment.run(|step, time, mu, _| {
                 watch.require_going()?;
                 progress.at(step);
-                let values = QUANTITIES.map(|quantity| quantity.value(&experiment.top, mu));
+                let values = QUANTITIES.map(|quantity| quantity.value(&experiment.model.top, mu));
                 record.add(step, time, values);
                 let mut line = format!("{formulation},{scheme},").into_bytes();
                 append_row(&mut line, &[&state_values(time, mu)[..], &values].concat());

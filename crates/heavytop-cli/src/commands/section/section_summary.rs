@@ -56,7 +56,7 @@ impl SectionSummary {
         out: &Path,
     ) -> Self {
         let (problem, limits) = (&settings.problem, &settings.limits);
-        let (formulation, scheme) = problem.method();
+        let (formulation, scheme) = (problem.method().formulation(), problem.method().scheme());
         Self {
             out: out.into(),
             of: problem.summary(&survey.deviations),

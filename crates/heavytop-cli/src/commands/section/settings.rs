@@ -86,7 +86,8 @@ impl Settings {
 
     /// Returns the configuration with every key that was left out and plays a part.
     pub fn complete(&self, config: &Config) -> Config {
-        let (formulation, scheme) = self.problem.method();
+        let method = self.problem.method();
+        let (formulation, scheme) = (method.formulation(), method.scheme());
         let step = self.limits.step;
         let own = Integration { formulation, scheme, step, ..Integration::default() };
         let section = self.problem.complete(config.section.clone().unwrap_or_default());

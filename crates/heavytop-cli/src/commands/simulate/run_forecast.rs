@@ -19,7 +19,7 @@ pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
     let width = RunTable::new(&*run)?.width() as u64;
     let format = Format::of(out)?;
     let row = if format == Format::Csv { BYTES_OF_TEXT * width } else { 8 * width };
-    with_rows(run.pace(), format, out, row as f64)
+    with_rows(run.pace, format, out, row as f64)
 }
 
 /// Returns the forecast of a run after trying it for a fifth of a second, or a little longer if steps are slow. Nothing
@@ -33,7 +33,7 @@ pub fn dry_run(config: &Config, out: &Path) -> Result<Forecast, Error> {
     let mut trial = Trial::begin(format);
     let outcome = run.follow(None, |moment| trial.add(moment.step, moment.row));
     trial.end(outcome)?;
-    let pace = run.pace();
+    let pace = run.pace;
     let forecast = with_rows(pace, format, out, trial.bytes as f64 / trial.rows as f64)?;
     let steps = pace.schedule.steps as f64;
     Ok(Forecast { seconds: Some(trial.seconds / trial.steps as f64 * steps), ..forecast })

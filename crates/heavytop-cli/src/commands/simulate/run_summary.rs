@@ -1,10 +1,11 @@
 //! The summary of a run, which `heavytop simulate --json` prints.
 
 use super::checkpoint::Checkpoint;
+use crate::Error;
 use crate::files::place::shown;
 use crate::formats::RunTable;
 use crate::runs::run_check::{write_accuracy, write_method};
-use crate::runs::{Described, Run, RunCheck};
+use crate::runs::{Experiment, RunCheck};
 use lie_poisson::larger;
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -50,22 +51,22 @@ impl RunSummary {
     /// Creates the summary of a run that ended in a row, as yet without its accuracy and its description.
     pub(super) fn new(
         out: PathBuf,
-        run: &dyn Run,
+        run: &Experiment,
         row: &[f64],
         deviations: &Deviations,
         table: &RunTable,
     ) -> Self {
-        let ((formulation, scheme), pace) = (run.method(), run.pace());
+        let (method, pace) = (&run.method, run.pace);
         Self {
             out,
             described: Described::default(),
-            formulation: formulation.name(),
-            scheme: scheme.name(),
+            formulation: method.formulation().name(),
+            scheme: method.scheme().name(),
             step: pace.schedule.step,
             steps: pace.schedule.steps,
             rows: pace.rows(),
             end: pace.schedule.end(),
-            last: run.last(row),
+            last: last(run, row),
             deviations: deviations.by_name(table),
             error_estimate: None,
             check: None,
@@ -88,6 +89,58 @@ impl fmt::Display for RunSummary {
         write_accuracy(to, self.error_estimate, self.check.as_ref())?;
         write_method(to, (self.formulation, self.scheme), (self.step, self.end))
     }
+}
+
+/// What the summary of a run tells of a system by formula; nothing of a top.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Described {
+    /// The name of the algebra.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub algebra: Option<String>,
+    /// The Hamiltonian as a formula.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hamiltonian: Option<String>,
+    /// Whether the steps descend to 𝔤∗; if not, they are not Poisson maps.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub descends: Option<bool>,
+    /// The Casimirs by the names of their columns, as formulas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub casimirs: Option<Map<String, Value>>,
+}
+
+/// The name of the energy among the conserved quantities.
+const ENERGY: &str = "h";
+
+impl Described {
+    /// Describes the system of a run.
+    ///
+    /// # Errors
+    /// If there is no such method.
+    pub(super) fn new(run: &Experiment) -> Result<Self, Error> {
+        let Some(hamiltonian) = run.model.formula(ENERGY) else { return Ok(Self::default()) };
+        let casimirs = run.conserved().into_iter().filter(|name| name != ENERGY);
+        let formulas = casimirs.filter_map(|name| Some((run.model.formula(&name)?.into(), name)));
+        Ok(Self {
+            algebra: Some(run.model.algebra_name()),
+            hamiltonian: Some(hamiltonian),
+            descends: Some(run.model.descends(&run.method, &run.start)?),
+            casimirs: Some(formulas.map(|(formula, name)| (name, formula)).collect()),
+        })
+    }
+}
+
+/// Returns the last coordinates by their names in the summary.
+fn last(run: &Experiment, row: &[f64]) -> Map<String, Value> {
+    let columns = run.model.columns();
+    let keys = if run.model.formula(ENERGY).is_none() {
+        let vector = |from: usize| row.get(from..from + 3).unwrap_or_default().into();
+        vec![("angular_momentum", vector(1)), ("vertical", vector(4))]
+    } else {
+        let last: Map<_, _> =
+            columns.into_iter().zip(row.iter().skip(1).map(|&x| x.into())).collect();
+        vec![("last", last.into())]
+    };
+    keys.into_iter().map(|(name, values)| (name.to_owned(), values)).collect()
 }
 
 /// Writes the names of the invariants with their deviations.

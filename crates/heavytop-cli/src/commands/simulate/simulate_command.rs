@@ -3,7 +3,7 @@
 use super::checkpoint::Checkpoint;
 use super::recording::{RecordedRun, Recording};
 use super::renewal::Renewal;
-use super::run_summary::{Deviations, RunSummary};
+use super::run_summary::{Described, Deviations, RunSummary};
 use super::simulate_options::SimulateOptions;
 use crate::Error;
 use crate::configuration::Config;
@@ -59,8 +59,8 @@ pub fn simulate(
 ) -> Result<RunSummary, Error> {
     let run = config.run()?;
     let (run, config) = (&*run, config.with_integrator());
-    let (table, pace) = (RunTable::new(run)?, run.pace());
-    let described = run.described()?;
+    let (table, pace) = (RunTable::new(run)?, run.pace);
+    let described = Described::new(run)?;
     let formulas = described.casimirs.iter().flatten();
     let casimirs = formulas.filter_map(|(_, text)| text.as_str().map(String::from)).collect();
     let recorded = RecordedRun { pace, dimension: run.dimension()?, table: &table, casimirs };
@@ -85,7 +85,7 @@ pub fn simulate(
     });
     drop(progress);
     recording.conclude(outcome)?;
-    let check = || RunCheck::of(run.compared(&|| options.going())?, run.method());
+    let check = || RunCheck::of(run.compared(&|| options.going())?, &run.method);
     let check = options.check.then(check).transpose()?;
     let summary = RunSummary::new(out.into(), run, &last, &deviations, &table);
     Ok(RunSummary { described, error_estimate: accuracy.error, check, ..summary })

@@ -44,7 +44,8 @@ pub struct SweepSummary {
 impl SweepSummary {
     /// Creates the summary of a sweep in which nothing has failed yet.
     pub(super) fn new(plan: &Plan, error_estimate: Option<f64>, out: &Path) -> Self {
-        let (formulation, scheme) = plan.family.method();
+        let method = plan.family.method();
+        let (formulation, scheme) = (method.formulation(), method.scheme());
         let casimirs = plan.family.casimirs().into_iter().map(Value::from);
         Self {
             out: out.into(),

@@ -5,13 +5,13 @@ use super::table_file::{is_table, read_table};
 use crate::Error;
 use crate::configuration::{Integration, IntegratorConfig};
 use crate::errors::SystemTableError;
-use crate::runs::{Pace, Schedule, SystemExperiment};
+use crate::runs::{Experiment, Pace, Schedule};
 use heavytop::methods::Formulation;
 use lie_poisson_formula_systems::{
-    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemMethod, structure_table,
+    FormulaSystem, FormulaSystemError, SystemAlgebra, structure_table,
 };
 use lie_poisson_formulas::{Coordinates, Parameters};
-use lie_poisson_runs::step_angle::require_sane_step_of_system;
+use lie_poisson_runs::step_angle::require_sane_step;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -63,24 +63,26 @@ impl SystemConfig {
     ///     end = 10.0
     /// "#)?;
     /// let experiment = config.system_experiment()?.ok_or("no system")?;
-    /// assert_eq!(experiment.system.casimirs()[0].to_string(), "|Pi|^2");
+    /// assert_eq!(experiment.model.casimirs()[0].to_string(), "|Pi|^2");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn experiment(
         &self,
         integrator: IntegratorConfig,
         every: u64,
-    ) -> Result<SystemExperiment, Error> {
+    ) -> Result<Experiment<FormulaSystem>, Error> {
         let system = self.formula_system()?;
         let start = self.start(&system)?;
         let Integration { scheme, step, end, tolerance, .. } =
             integrator.or(Integration::default());
-        let formulation = SystemMethod::default_formulation(system.algebra());
+        let formulation = system.algebra().default_formulation();
         let formulation = integrator.formulation.unwrap_or(formulation);
-        let method = SystemMethod::new(system.algebra(), formulation, scheme, tolerance)?;
-        require_sane_step_of_system(&method, &system, &start, step)?;
+        let method = system.algebra().method(formulation, scheme, tolerance)?;
+        require_sane_step(&system, &start, step)?;
         let pace = Pace { schedule: Schedule::new(step, end)?, every };
-        Ok(SystemExperiment { system, start, method, pace })
+        let run = Experiment { model: system, start, method, pace, attitude: false };
+        run.begin()?;
+        Ok(run)
     }
 
     /// Returns the system of the table, with its Casimirs.
@@ -131,12 +133,12 @@ impl SystemConfig {
     }
 
     /// Returns the formulation by which many motions on an algebra are followed unless one is asked for: reduced, where
-    /// tangent vectors have no fibres, or that of [`SystemMethod::default_formulation`].
+    /// tangent vectors have no fibres, or that of [`SystemAlgebra::default_formulation`].
     pub(crate) fn formulation_of_many(algebra: &SystemAlgebra) -> Formulation {
-        let mut formulations = SystemMethod::formulations(algebra);
+        let mut formulations = algebra.formulations();
         match formulations.any(|formulation| formulation == Formulation::Reduced) {
             true => Formulation::Reduced,
-            false => SystemMethod::default_formulation(algebra),
+            false => algebra.default_formulation(),
         }
     }
 

@@ -14,8 +14,6 @@ use heavytop_cli::files::{Input, Output, Safeguard};
 use heavytop_cli::reading::Sources;
 use heavytop_cli::runs::{Moment, Saved};
 use heavytop_cli::supervision::{TileOptions, Watch};
-use lie_poisson::Se3Dual;
-use nalgebra::Vector3;
 use std::collections::BTreeSet;
 use std::fs;
 use std::process::Command;
@@ -73,10 +71,7 @@ fn of_numbers(folder: &Folder) -> BTreeSet<String> {
     let experiment = Config::default().experiment().unwrap();
     let no_saved = Saved { step: 1024, state: vec![0.0] };
     // Without Γ there is no spinor.
-    let no_start = heavytop_cli::runs::Experiment {
-        start: Se3Dual::new(Vector3::zeros(), Vector3::zeros()),
-        ..experiment
-    };
+    let no_start = heavytop_cli::runs::Experiment { start: vec![0.0; 6], ..experiment };
     [
         refused("Error::Argument", compared("", Some(0.0))),
         refused("Error::Reference", compared("integrator = { step = 0.8, end = 80 }", None)),

@@ -22,7 +22,7 @@ impl RelativeDistance {
     /// the size 10⁻⁶ E/|ξ_b|, where E = Σ |ξ_i μ_i| is the largest over the momenta, and so is |ξ_b|. What moves a block
     /// with ξ_b = 0 gives it no size in its own unit: its own is used.
     pub(super) fn new<'a>(
-        system: &impl SystemScales,
+        system: &dyn SystemScales,
         momenta: impl Iterator<Item = &'a [f64]>,
     ) -> Self {
         let blocks = system.blocks();

@@ -76,7 +76,7 @@ const SAMPLES: u64 = 64;
 /// ```
 pub fn run_accuracy(
     integrator: &AnyIntegrator,
-    system: &impl SystemScales,
+    system: &dyn SystemScales,
     start: &[f64],
     (step, steps): (f64, u64),
     order: u16,
@@ -111,10 +111,9 @@ fn share(steps: u64, sample: u64) -> u64 {
     (u128::from(steps) * u128::from(sample) / u128::from(SAMPLES)) as u64
 }
 
-/// Compares the two runs. This is apart from [`run_accuracy`] so that it is compiled once for a system, and not for each of
-/// its integrators.
+/// Compares the two runs.
 fn compare(
-    system: &impl SystemScales,
+    system: &dyn SystemScales,
     start: &[f64],
     (step, steps): (f64, u64),
     order: u16,

@@ -95,7 +95,7 @@ impl fmt::Display for NoOrder {
 /// ```
 pub fn check_by_half_steps(
     integrator: &AnyIntegrator,
-    system: &impl SystemScales,
+    system: &dyn SystemScales,
     start: &[f64],
     (step, steps): (f64, u64),
     order: u16,
@@ -124,7 +124,7 @@ pub fn check_by_half_steps(
 }
 
 fn compare(
-    system: &impl SystemScales,
+    system: &dyn SystemScales,
     start: &[f64],
     order: u16,
     [whole, half]: [&SampledRun; 2],

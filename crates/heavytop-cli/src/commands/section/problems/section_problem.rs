@@ -5,7 +5,10 @@ use super::limits::Limits;
 use crate::Error;
 use crate::configuration::SectionConfig;
 use collective_integrators::diagnostics::RunAccuracy;
-use heavytop::methods::{Formulation, SchemeName};
+use collective_integrators::{AnyState, Direction, Events, Start};
+use heavytop::methods::Method;
+use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_runs::Model;
 use serde_json::{Map, Value};
 use std::fmt::Debug;
 
@@ -17,11 +20,22 @@ pub(in crate::commands::section) type Visit<'a> =
 pub(in crate::commands::section) trait SectionProblem:
     Debug + Send + Sync
 {
-    /// Returns the names of the coordinates of a state.
-    fn columns(&self) -> Vec<String>;
+    /// Returns the system that moves.
+    fn model(&self) -> &dyn Model;
 
     /// Returns the method by which the motion is followed.
-    fn method(&self) -> (Formulation, SchemeName);
+    fn method(&self) -> &Method;
+
+    /// Returns the direction of the crossings that count, and the period of the surface's function if it is an angle.
+    fn surface(&self) -> (Direction, Option<f64>);
+
+    /// Returns the function of the momentum whose zeros are the surface.
+    fn value(&self, momentum: &[f64]) -> f64;
+
+    /// Checks that what is written and drawn of a momentum has a value.
+    fn require_values(&self, _momentum: &[f64]) -> Result<(), FormulaSystemError> {
+        Ok(())
+    }
 
     /// Returns warnings for users: about what the method does not conserve, and about the body.
     fn warnings(&self) -> Vec<String>;
@@ -55,29 +69,84 @@ pub(in crate::commands::section) trait SectionProblem:
     /// # Errors
     /// If there are none, or a given state never comes to the surface.
     fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error>;
+}
+
+impl dyn SectionProblem + '_ {
+    /// Returns the names of the coordinates of a state.
+    pub fn columns(&self) -> Vec<String> {
+        self.model().columns()
+    }
 
     /// Measures how accurate the motion of a start is for so many steps of a size (s).
     ///
     /// # Errors
     /// If there is no such integrator.
-    fn accuracy(
+    pub fn accuracy(
         &self,
         start: &[f64],
         steps: (f64, u64),
         going: &dyn Fn() -> bool,
-    ) -> Result<RunAccuracy, Error>;
+    ) -> Result<RunAccuracy, Error> {
+        let model = self.model();
+        Ok(model.accuracy(self.method(), &model.start(start)?, steps, going)?)
+    }
 
     /// Passes the returns of a start with this number to `visit`.
     ///
     /// # Errors
     /// If the start cannot be followed, or `visit` fails.
-    fn follow(
+    pub fn follow(
         &self,
         limits: &Limits,
         number: usize,
         start: &[f64],
         visit: Visit<'_>,
-    ) -> Result<(), Error>;
+    ) -> Result<(), Error> {
+        visit_returns(self, limits, (number, start, false), visit)
+    }
+}
+
+/// Passes the returns of a start with this number to `visit`, which may count the start if it lies on the surface.
+///
+/// # Errors
+/// If the start cannot be followed, or `visit` fails.
+pub(super) fn visit_returns(
+    problem: &dyn SectionProblem,
+    limits: &Limits,
+    (number, start, counts_start): (usize, &[f64], bool),
+    visit: Visit<'_>,
+) -> Result<(), Error> {
+    let (model, method) = (problem.model(), problem.method());
+    let start = model.start(start)?;
+    let integrator = model.integrator(method, &start)?;
+    let samples = integrator.trajectory(&AnyState::from_slice(&start), limits.step)?;
+    let samples = samples.take(limits.steps.saturating_add(1));
+    let value = |mu: &AnyState| problem.value(mu.as_slice());
+    let (direction, period) = problem.surface();
+    let mut returns = Events::new(&integrator, samples, value, direction.along_run(limits.step));
+    if let Some(period) = period {
+        returns = returns.modulo(period);
+    }
+    if counts_start {
+        returns = returns.counting_start();
+    }
+    for event in returns.take(limits.crossings) {
+        let sample = event.map_err(|source| Error::Crossing {
+            formulation: method.formulation().name(),
+            scheme: method.scheme().name(),
+            start: number,
+            source,
+        })?;
+        let (time, mut state) = (sample.time, sample.momentum.as_slice().to_vec());
+        problem.require_values(&state).map_err(|source| Error::NoValue {
+            start: number,
+            time,
+            source: Box::new(source),
+        })?;
+        model.present(&mut state);
+        visit(time, &state)?;
+    }
+    Ok(())
 }
 
 /// The words of the picture of a section.

@@ -1,27 +1,26 @@
 //! The section of another Lie–Poisson system.
 
 use super::limits::Limits;
-use super::section_problem::{Drawing, SectionProblem, Visit};
+use super::section_problem::{Drawing, SectionProblem, visit_returns};
 use super::top_problem::{crossed, followed};
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig, SystemConfig};
 use crate::errors::SystemTableError;
 use crate::pictures::caption::{self, number};
 use crate::vocabulary::brief;
-use collective_integrators::diagnostics::RunAccuracy;
-use collective_integrators::{AnyState, Events, Start};
-use heavytop::methods::{Formulation, SchemeName};
-use lie_poisson_formula_systems::{FormulaSystem, SystemMethod, SystemSection};
+use collective_integrators::Direction;
+use heavytop::methods::Method;
+use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemSection};
 use lie_poisson_formulas::Formula;
-use lie_poisson_runs::method_warning::system_warning;
-use lie_poisson_runs::step_angle::require_sane_step_of_system;
+use lie_poisson_runs::Model;
+use lie_poisson_runs::step_angle::require_sane_step;
 use serde_json::{Map, Value};
 
 /// The section of a system, and how its points are computed.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::commands::section) struct SystemProblem {
     section: SystemSection,
-    method: SystemMethod,
+    method: Method,
     /// The initial state of `[system]`, whose invariants are those of the section.
     initial: Vec<f64>,
     /// The values of h and of the Casimirs of random starts.
@@ -65,7 +64,7 @@ impl SystemProblem {
         let formulation = SystemConfig::formulation_of_many(&algebra);
         let own = Integration { formulation, ..Integration::default() };
         let Integration { formulation, scheme, tolerance, .. } = config.integrator.or(own);
-        let method = SystemMethod::new(&algebra, formulation, scheme, tolerance)?;
+        let method = algebra.method(formulation, scheme, tolerance)?;
         Ok((Self { section, method, initial, levels, given }, own))
     }
 
@@ -86,73 +85,45 @@ impl SystemProblem {
             Ok(())
         };
         let limits = Limits { crossings: 1, ..*limits };
-        self.visit_returns(&limits, (number, state, true), &mut visit)?;
+        visit_returns(self, &limits, (number, state, true), &mut visit)?;
         first.ok_or(Error::NeverCrosses { state: number, longest: limits.longest })
-    }
-
-    /// Passes the returns of a start with this number to `visit`, which may count the start if it lies on the surface.
-    fn visit_returns(
-        &self,
-        limits: &Limits,
-        (number, start, counts_start): (usize, &[f64], bool),
-        visit: Visit<'_>,
-    ) -> Result<(), Error> {
-        let integrator = self.method.integrator(self.system(), start)?.without_tangents();
-        let samples = integrator.trajectory(&AnyState::from_slice(start), limits.step)?;
-        let samples = samples.take(limits.steps.saturating_add(1));
-        let value = |mu: &AnyState| self.section.value(mu.as_slice());
-        let direction = self.section.direction().along_run(limits.step);
-        let mut returns = Events::new(&integrator, samples, value, direction);
-        if let Some(period) = self.section.period() {
-            returns = returns.modulo(period);
-        }
-        if counts_start {
-            returns = returns.counting_start();
-        }
-        for event in returns.take(limits.crossings) {
-            let sample = event.map_err(|source| Error::Crossing {
-                formulation: self.method.formulation().name(),
-                scheme: self.method.scheme().name(),
-                start: number,
-                source,
-            })?;
-            let state = sample.momentum.as_slice();
-            // What is written and drawn has a value.
-            let values = self.section.checked_plane(state).map(drop);
-            values.and_then(|()| self.system().invariants(state)).map_err(|source| {
-                Error::NoValue { start: number, time: sample.time, source: Box::new(source) }
-            })?;
-            visit(sample.time, state)?;
-        }
-        Ok(())
     }
 }
 
 impl SectionProblem for SystemProblem {
-    fn columns(&self) -> Vec<String> {
-        self.system().algebra().coordinates().names().collect()
+    fn model(&self) -> &dyn Model {
+        self.system()
     }
 
-    fn method(&self) -> (Formulation, SchemeName) {
-        (self.method.formulation(), self.method.scheme())
+    fn method(&self) -> &Method {
+        &self.method
+    }
+
+    fn surface(&self) -> (Direction, Option<f64>) {
+        (self.section.direction(), self.section.period())
+    }
+
+    fn value(&self, momentum: &[f64]) -> f64 {
+        self.section.value(momentum)
+    }
+
+    fn require_values(&self, momentum: &[f64]) -> Result<(), FormulaSystemError> {
+        self.section.checked_plane(momentum)?;
+        self.system().invariants(momentum).map(drop)
     }
 
     fn warnings(&self) -> Vec<String> {
         // A method whose steps fail to be made has no warning, and refuses the first start.
-        system_warning(&self.method, self.system(), &self.initial)
-            .ok()
-            .flatten()
-            .into_iter()
-            .collect()
+        self.model().warning(&self.method, &self.initial).ok().flatten().into_iter().collect()
     }
 
     fn require_step(&self, step: f64) -> Result<(), Error> {
         let own = std::slice::from_ref(&self.initial);
         let states = if self.given.is_empty() { own } else { &self.given };
-        let system = self.system();
-        let sane =
-            |state: &Vec<f64>| require_sane_step_of_system(&self.method, system, state, step);
-        Ok(states.iter().try_for_each(sane)?)
+        Ok(states.iter().try_for_each(|state| {
+            self.model().integrator(&self.method, state)?;
+            require_sane_step(self.system(), state, step)
+        })?)
     }
 
     fn complete(&self, section: SectionConfig) -> SectionConfig {
@@ -206,7 +177,7 @@ impl SectionProblem for SystemProblem {
 
     fn drawing(&self, limits: &Limits) -> Drawing {
         let [x, y] = self.section.axes().each_ref().map(title);
-        let (formulation, scheme) = self.method();
+        let (formulation, scheme) = (self.method.formulation(), self.method.scheme());
         let hamiltonian = brief::text(&self.system().hamiltonian().to_string());
         let names = self.conserved();
         let levels = names.iter().zip(&self.levels);
@@ -235,25 +206,6 @@ impl SectionProblem for SystemProblem {
         self.section
             .starts(&self.initial, &self.levels, limits.starts, limits.seed)
             .map_err(Error::of_system_section)
-    }
-
-    fn accuracy(
-        &self,
-        start: &[f64],
-        steps: (f64, u64),
-        going: &dyn Fn() -> bool,
-    ) -> Result<RunAccuracy, Error> {
-        Ok(self.method.accuracy(self.system(), start, steps, going)?)
-    }
-
-    fn follow(
-        &self,
-        limits: &Limits,
-        number: usize,
-        start: &[f64],
-        visit: Visit<'_>,
-    ) -> Result<(), Error> {
-        self.visit_returns(limits, (number, start, false), visit)
     }
 }
 

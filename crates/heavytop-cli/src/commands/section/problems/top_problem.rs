@@ -1,20 +1,16 @@
 //! The section of a top.
 
 use super::limits::Limits;
-use super::section_problem::{Drawing, SectionProblem, Visit};
+use super::section_problem::{Drawing, SectionProblem};
 use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
-use crate::formats::run_table::STATE_COLUMNS;
 use crate::pictures::caption::{self, number};
-use collective_integrators::diagnostics::RunAccuracy;
-use collective_integrators::{AnyState, Direction};
-use heavytop::methods::{Formulation, Method, SchemeName};
-use heavytop::{
-    EnergyLevel, HeavyTop, Invariant, PrincipalAxes, Section, Surface, SurfaceVariable,
-};
-use lie_poisson::{Se3Dual, State, Vector};
-use lie_poisson_runs::method_warning::method_warning;
-use lie_poisson_runs::step_angle::{least_moment, require_turn};
+use collective_integrators::Direction;
+use heavytop::methods::{Formulation, Method};
+use heavytop::{EnergyLevel, HeavyTop, Invariant, Section, Surface, SurfaceVariable};
+use lie_poisson::Se3Dual;
+use lie_poisson_runs::step_angle::require_turn;
+use lie_poisson_runs::{Model, TopInAxes};
 use serde_json::{Map, Value};
 
 /// The largest turn of any body on the energy level in one step, rad, if the configuration gives no step. The Gauss
@@ -26,8 +22,7 @@ const TURN: f64 = 0.5;
 pub(in crate::commands::section) struct TopProblem {
     section: Section,
     method: Method,
-    /// The principal axes, in the axes of the table.
-    axes: PrincipalAxes,
+    model: TopInAxes,
     /// What the configuration says against its body.
     body_warning: Option<String>,
 }
@@ -58,33 +53,41 @@ impl TopProblem {
             ..Integration::default()
         };
         let method = config.integrator.or(own).method()?;
-        Ok((Self { section, method, axes, body_warning }, own))
+        let model = TopInAxes { top, axes };
+        Ok((Self { section, method, model, body_warning }, own))
     }
 
     /// Returns the state, in principal axes, with these coordinates in the axes of the table.
     fn state(&self, numbers: &[f64]) -> Se3Dual {
-        let given = Se3Dual::from_coordinates(|i| numbers.get(i).copied().unwrap_or(f64::NAN));
-        self.axes.state_to_principal(&given)
+        self.model.axes.state_to_principal(&TopInAxes::state(numbers))
     }
 
     /// Returns the coordinates, in the axes of the table, of a state in principal axes.
     fn numbers(&self, mu: &Se3Dual) -> Vec<f64> {
-        let given = self.axes.state_from_principal(mu);
-        (0..Se3Dual::<f64>::DIM).map(|i| given.coordinate(i)).collect()
+        TopInAxes::coordinates(&self.model.given(mu)).to_vec()
     }
 }
 
 impl SectionProblem for TopProblem {
-    fn columns(&self) -> Vec<String> {
-        STATE_COLUMNS.split(',').skip(1).map(String::from).collect()
+    fn model(&self) -> &dyn Model {
+        &self.model
     }
 
-    fn method(&self) -> (Formulation, SchemeName) {
-        (self.method.formulation(), self.method.scheme())
+    fn method(&self) -> &Method {
+        &self.method
+    }
+
+    fn surface(&self) -> (Direction, Option<f64>) {
+        (self.section.surface().direction, self.section.period())
+    }
+
+    fn value(&self, momentum: &[f64]) -> f64 {
+        self.section.value(&TopInAxes::state(momentum))
     }
 
     fn warnings(&self) -> Vec<String> {
-        let warnings = [method_warning(&self.method), self.body_warning.clone()];
+        let of_method = TopInAxes::method_warning(&self.method);
+        let warnings = [of_method, self.body_warning.clone()];
         warnings.into_iter().flatten().collect()
     }
 
@@ -160,40 +163,6 @@ impl SectionProblem for TopProblem {
         let starts = self.section.starts(limits.starts, limits.seed)?;
         Ok(starts.iter().map(|mu| self.numbers(mu)).collect())
     }
-
-    fn accuracy(
-        &self,
-        start: &[f64],
-        steps: (f64, u64),
-        going: &dyn Fn() -> bool,
-    ) -> Result<RunAccuracy, Error> {
-        let top = &self.section.level().top;
-        Ok(self.method.accuracy(top, &self.state(start), steps, going)?)
-    }
-
-    fn follow(
-        &self,
-        limits: &Limits,
-        number: usize,
-        start: &[f64],
-        visit: Visit<'_>,
-    ) -> Result<(), Error> {
-        let Self { section, method, .. } = self;
-        let (integrator, start) =
-            (method.integrator(&section.level().top)?, AnyState::of(&self.state(start)));
-        let returns = section.crossings(&integrator, &start, limits.step, limits.steps)?;
-        for event in returns.take(limits.crossings) {
-            let sample = event.map_err(|source| Error::Crossing {
-                formulation: method.formulation().name(),
-                scheme: method.scheme().name(),
-                start: number,
-                source,
-            })?;
-            let mu = Se3Dual::from_coordinates(|i| sample.momentum.entry(i));
-            visit(sample.time, &self.numbers(&mu))?;
-        }
-        Ok(())
-    }
 }
 
 fn index(variable: SurfaceVariable) -> &'static str {
@@ -242,6 +211,11 @@ pub(super) fn followed(limits: &Limits) -> String {
     let Limits { starts, crossings, longest, .. } = limits;
     let longest = number(*longest);
     format!("{starts} starts, {crossings} returns each, at most {longest} s")
+}
+
+/// Returns the least moment of the top, kg m²: that across it for a thin rod.
+fn least_moment(top: &HeavyTop) -> f64 {
+    top.inertia().iter().copied().filter(|moment| *moment > 0.0).fold(f64::INFINITY, f64::min)
 }
 
 /// Returns an upper bound of the angular velocity on the energy level and of the frequency of a pendulum: √(2(E + m g

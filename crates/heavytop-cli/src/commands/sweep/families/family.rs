@@ -4,8 +4,10 @@ use super::course::Course;
 use crate::Error;
 use crate::configuration::{Column, Integration, Observable, SweepAxis};
 use crate::errors::SweepError;
+use crate::runs::Schedule;
 use collective_integrators::diagnostics::RunAccuracy;
-use heavytop::methods::{Formulation, SchemeName};
+use heavytop::methods::{Formulation, Method};
+use lie_poisson_runs::Model;
 use std::fmt::Debug;
 
 /// A family of motions, whose members differ by the values of the axes of a sweep.
@@ -16,7 +18,13 @@ pub(in crate::commands::sweep) trait Family:
     fn nouns(&self) -> [&'static str; 2];
 
     /// Returns the method by which the members are followed.
-    fn method(&self) -> (Formulation, SchemeName);
+    fn method(&self) -> &Method;
+
+    /// Returns the member at these values of the axes, and its start.
+    ///
+    /// # Errors
+    /// If there is no such member, or its motion turns too far in a step (s).
+    fn member(&self, values: &[f64], step: f64) -> Result<(Box<dyn Model>, Vec<f64>), Error>;
 
     /// Returns warnings for users: about what the method does not conserve, and about the body.
     fn warnings(&self) -> Vec<String>;
@@ -56,17 +64,23 @@ pub(in crate::commands::sweep) trait Family:
     /// # Errors
     /// If there is no such member, or it cannot be followed to the end.
     fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error>;
+}
 
+impl dyn Family + '_ {
     /// Measures how accurate the motion of the member at these values of the axes is.
     ///
     /// # Errors
     /// If there is no such member.
-    fn accuracy(
+    pub fn accuracy(
         &self,
         values: &[f64],
         course: &Course,
         going: &dyn Fn() -> bool,
-    ) -> Result<RunAccuracy, Error>;
+    ) -> Result<RunAccuracy, Error> {
+        let Schedule { step, steps } = course.schedule;
+        let (model, start) = self.member(values, step)?;
+        Ok(model.accuracy(self.method(), &start, (step, steps), going)?)
+    }
 }
 
 /// Returns the integrator of a sweep whose `[integrator]` is empty.

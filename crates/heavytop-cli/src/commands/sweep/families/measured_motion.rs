@@ -4,7 +4,7 @@ use super::course::Course;
 use crate::Error;
 use crate::configuration::Observable;
 use collective_integrators::{AnyIntegrator, AnyState, AnyTangents};
-use heavytop::methods::{Formulation, SchemeName};
+use heavytop::methods::Method;
 use lie_poisson_runs::TangentGrowth;
 
 /// The measurements along a motion, besides those of its tangent vectors.
@@ -26,7 +26,7 @@ pub(super) fn measure(
     start: &AnyState,
     gauge: &mut dyn Gauge,
     course: &Course,
-    method: (Formulation, SchemeName),
+    method: &Method,
 ) -> Result<Vec<Option<f64>>, Error> {
     // A tangent vector costs more than the state: there are as many as the observables need.
     let followed = (course.tangents(), method);

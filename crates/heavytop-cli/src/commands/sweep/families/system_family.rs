@@ -11,14 +11,12 @@ use crate::configuration::{
 };
 use crate::errors::SweepError;
 use crate::pictures::caption::{number, vector_of};
-use crate::runs::Schedule;
 use crate::vocabulary::brief;
 use collective_integrators::AnyState;
-use collective_integrators::diagnostics::RunAccuracy;
-use heavytop::methods::{Formulation, SchemeName};
-use lie_poisson_formula_systems::{FormulaSystem, SystemMethod};
-use lie_poisson_runs::method_warning::system_warning;
-use lie_poisson_runs::step_angle::require_sane_step_of_system;
+use heavytop::methods::Method;
+use lie_poisson_formula_systems::FormulaSystem;
+use lie_poisson_runs::Model;
+use lie_poisson_runs::step_angle::require_sane_step;
 use std::cell::RefCell;
 
 /// Motions of a system, whose parameters or initial states differ.
@@ -33,7 +31,7 @@ pub(in crate::commands::sweep) struct SystemFamily {
     numbers: Vec<VariedNumber>,
     /// Whether all members have the same algebra.
     has_one_algebra: bool,
-    method: SystemMethod,
+    method: Method,
 }
 
 impl SystemFamily {
@@ -75,7 +73,7 @@ impl SystemFamily {
         let own = own_integration(SystemConfig::formulation_of_many(algebra));
         let integration = config.integrator.or(own);
         let Integration { formulation, scheme, tolerance, .. } = integration;
-        let method = SystemMethod::new(algebra, formulation, scheme, tolerance)?;
+        let method = algebra.method(formulation, scheme, tolerance)?;
         // Structure constants, which may be a long text, do not vary.
         let table = SystemConfig { structure_constants: None, ..table.clone() };
         Ok((Self { table, system, start, numbers, has_one_algebra, method }, integration))
@@ -86,7 +84,7 @@ impl SystemFamily {
     /// # Errors
     /// If there is no such system, its orbits have another dimension, so that it has another number of Casimirs, or its
     /// motion turns too far in a step.
-    fn member(&self, values: &[f64], step: f64) -> Result<(FormulaSystem, Vec<f64>), Error> {
+    fn system(&self, values: &[f64], step: f64) -> Result<(FormulaSystem, Vec<f64>), Error> {
         let (mut table, mut start) = (self.table.clone(), self.start.clone());
         for (varied, value) in self.numbers.iter().zip(values) {
             varied.set(*value, &mut table, &mut start);
@@ -104,14 +102,15 @@ impl SystemFamily {
         if found != expected {
             return Err(SweepError::Casimirs { found, expected }.into());
         }
-        require_sane_step_of_system(&self.method, &system, &start, step)?;
+        system.integrator(&self.method, &start)?;
+        require_sane_step(&system, &start, step)?;
         Ok((system, start))
     }
 
     /// Returns whether the steps from the configured start descend to the dual of the algebra.
     fn descends(&self) -> bool {
         // A method whose steps fail to be made is refused where they are made.
-        self.method.descends(&self.system, &self.start).unwrap_or(true)
+        self.system.descends(&self.method, &self.start).unwrap_or(true)
     }
 
     /// Returns the names of h and of the Casimirs.
@@ -159,13 +158,18 @@ impl Family for SystemFamily {
         ["run", "runs"]
     }
 
-    fn method(&self) -> (Formulation, SchemeName) {
-        (self.method.formulation(), self.method.scheme())
+    fn method(&self) -> &Method {
+        &self.method
+    }
+
+    fn member(&self, values: &[f64], step: f64) -> Result<(Box<dyn Model>, Vec<f64>), Error> {
+        let (system, start) = self.system(values, step)?;
+        Ok((Box::new(system), start))
     }
 
     fn warnings(&self) -> Vec<String> {
         // A method whose steps fail to be made has no warning, and the rows say why.
-        system_warning(&self.method, &self.system, &self.start).ok().flatten().into_iter().collect()
+        self.system.warning(&self.method, &self.start).ok().flatten().into_iter().collect()
     }
 
     fn columns(&self, observable: Observable) -> Result<Vec<Column>, SweepError> {
@@ -221,12 +225,12 @@ impl Family for SystemFamily {
     }
 
     fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error> {
-        let (system, start) = self.member(values, course.schedule.step)?;
+        let (system, start) = self.system(values, course.schedule.step)?;
         let undefined = RefCell::new(None);
         let columns = self.system.casimir_degrees();
         let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
         let mut gauge = SystemGauge::new(&system, (&start, wants_sizes), columns, &undefined);
-        let integrator = self.method.integrator(&system, &start)?;
+        let integrator = system.integrator(&self.method, &start)?;
         let from = AnyState::from_slice(&start);
         let measured = measure(&integrator, &from, &mut gauge, course, self.method())?;
         drop(gauge);
@@ -234,16 +238,5 @@ impl Family for SystemFamily {
             system.invariants(&state)?;
         }
         Ok(measured)
-    }
-
-    fn accuracy(
-        &self,
-        values: &[f64],
-        course: &Course,
-        going: &dyn Fn() -> bool,
-    ) -> Result<RunAccuracy, Error> {
-        let Schedule { step, steps } = course.schedule;
-        let (system, start) = self.member(values, step)?;
-        Ok(self.method.accuracy(&system, &start, (step, steps), going)?)
     }
 }

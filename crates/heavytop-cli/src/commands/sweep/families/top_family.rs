@@ -10,14 +10,13 @@ use crate::configuration::{
     SweepAxis, TopParameter,
 };
 use crate::errors::SweepError;
-use crate::runs::Schedule;
 use collective_integrators::AnyState;
-use collective_integrators::diagnostics::{InvariantSize, RunAccuracy};
-use heavytop::methods::{Formulation, Method, SchemeName};
-use heavytop::{HeavyTop, Invariant, Nutation, PrincipalAxes};
+use collective_integrators::diagnostics::InvariantSize;
+use heavytop::methods::{Formulation, Method};
+use heavytop::{Invariant, Nutation};
 use lie_poisson::{DualNumber, Se3Dual, Vector, larger, seed};
-use lie_poisson_runs::method_warning::method_warning;
 use lie_poisson_runs::step_angle::require_sane_step;
+use lie_poisson_runs::{Model, TopInAxes};
 
 /// Tops whose parameters or initial states differ.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,20 +84,17 @@ impl TopFamily {
         Ok((family, integration))
     }
 
-    /// Returns the top, in principal axes, its start and these axes at these values of the axes of the sweep.
+    /// Returns the top and its start, in principal axes, at these values of the axes of the sweep.
     ///
     /// # Errors
     /// If there is no such top or no such start, or the top turns too far in a step (s).
-    pub fn top(
-        &self,
-        values: &[f64],
-        step: f64,
-    ) -> Result<(HeavyTop, Se3Dual, PrincipalAxes), Error> {
+    pub fn top(&self, values: &[f64], step: f64) -> Result<(TopInAxes, Se3Dual), Error> {
         let (body, initial) = self.tables(values);
         let config = Config { body, initial, ..Config::default() };
-        let (top, start) = (config.top()?, config.start()?);
-        require_sane_step(&top, &start, step)?;
-        Ok((top, start, config.axes()?))
+        let (model, start) =
+            (TopInAxes { top: config.top()?, axes: config.axes()? }, config.start()?);
+        require_sane_step(&model, &TopInAxes::coordinates(&start), step)?;
+        Ok((model, start))
     }
 
     /// Returns the tables `[body]` and `[initial]` at these values of the axes.
@@ -130,12 +126,18 @@ impl Family for TopFamily {
         ["top", "tops"]
     }
 
-    fn method(&self) -> (Formulation, SchemeName) {
-        (self.method.formulation(), self.method.scheme())
+    fn method(&self) -> &Method {
+        &self.method
+    }
+
+    fn member(&self, values: &[f64], step: f64) -> Result<(Box<dyn Model>, Vec<f64>), Error> {
+        let (model, start) = self.top(values, step)?;
+        Ok((Box::new(model), TopInAxes::coordinates(&start).to_vec()))
     }
 
     fn warnings(&self) -> Vec<String> {
-        let warnings = [method_warning(&self.method), self.body_warning.clone()];
+        let of_method = TopInAxes::method_warning(&self.method);
+        let warnings = [of_method, self.body_warning.clone()];
         warnings.into_iter().flatten().collect()
     }
 
@@ -177,22 +179,11 @@ impl Family for TopFamily {
     }
 
     fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error> {
-        let (top, start, axes) = self.top(values, course.schedule.step)?;
+        let (model, start) = self.top(values, course.schedule.step)?;
         let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
-        let mut gauge = TopGauge::new(&top, (&start, wants_sizes), axes);
-        let integrator = self.method.tangent_integrator(&top)?;
+        let mut gauge = TopGauge::new(model, (&start, wants_sizes));
+        let integrator = self.method.tangent_integrator(&model.top)?;
         measure(&integrator, &AnyState::of(&start), &mut gauge, course, self.method())
-    }
-
-    fn accuracy(
-        &self,
-        values: &[f64],
-        course: &Course,
-        going: &dyn Fn() -> bool,
-    ) -> Result<RunAccuracy, Error> {
-        let Schedule { step, steps } = course.schedule;
-        let (top, start, _) = self.top(values, step)?;
-        Ok(self.method.accuracy(&top, &start, (step, steps), going)?)
     }
 }
 
@@ -201,9 +192,7 @@ const CONSERVED: [Invariant; 3] =
 
 /// The measurements of a top: the deviations of its invariants, and its nutation.
 struct TopGauge {
-    top: HeavyTop,
-    /// The principal axes, in the axes of the columns.
-    axes: PrincipalAxes,
+    model: TopInAxes,
     initial: [f64; 3],
     drift: [f64; 3],
     /// The sizes of the invariants along the motion, if an observable is relative to them.
@@ -213,21 +202,22 @@ struct TopGauge {
 
 impl TopGauge {
     /// Creates the gauge of a top, with the sizes of its invariants if they are wanted.
-    fn new(top: &HeavyTop, (start, wants_sizes): (&Se3Dual, bool), axes: PrincipalAxes) -> Self {
+    fn new(model: TopInAxes, (start, wants_sizes): (&Se3Dual, bool)) -> Self {
+        let top = &model.top;
         let mut nutation = Nutation::new(top);
         nutation.observe(0.0, start);
         let initial = CONSERVED.map(|invariant| invariant.value(top, start));
         let size = |_| InvariantSize::new([0..3, 3..6]);
         let sizes = wants_sizes.then(|| CONSERVED.map(size));
-        let mut gauge = Self { top: *top, axes, initial, drift: [0.0; 3], sizes, nutation };
+        let mut gauge = Self { model, initial, drift: [0.0; 3], sizes, nutation };
         gauge.include_sizes(start);
         gauge
     }
 
     /// Raises the sizes of the invariants to those at a state.
     fn include_sizes(&mut self, mu: &Se3Dual) {
-        let Self { top, sizes: Some(sizes), .. } = self else { return };
-        let state: [f64; 6] = std::array::from_fn(|i| mu.coordinate(i));
+        let Self { model: TopInAxes { top, .. }, sizes: Some(sizes), .. } = self else { return };
+        let state = TopInAxes::coordinates(mu);
         for (size, invariant) in sizes.iter_mut().zip(CONSERVED) {
             let slope = |i| {
                 let moved: Se3Dual<DualNumber> = seed(mu, &Vector::basis(i));
@@ -240,11 +230,11 @@ impl TopGauge {
 
 impl Gauge for TopGauge {
     fn observe(&mut self, time: f64, mu: &[f64]) {
-        let mu = &state(mu);
+        let mu = &TopInAxes::state(mu);
         self.nutation.observe(time, mu);
         for ((drift, initial), invariant) in self.drift.iter_mut().zip(self.initial).zip(CONSERVED)
         {
-            *drift = larger(*drift, (invariant.value(&self.top, mu) - initial).abs());
+            *drift = larger(*drift, (invariant.value(&self.model.top, mu) - initial).abs());
         }
         self.include_sizes(mu);
     }
@@ -252,8 +242,8 @@ impl Gauge for TopGauge {
     fn values(&self, observable: Observable, end: &[f64]) -> Vec<Option<f64>> {
         match observable {
             Observable::FinalState => {
-                let end = self.axes.state_from_principal(&state(end));
-                (0..6).map(|i| Some(end.coordinate(i))).collect()
+                let end = self.model.given(&TopInAxes::state(end));
+                TopInAxes::coordinates(&end).map(Some).to_vec()
             }
             Observable::InvariantDrift => self.drift.map(Some).to_vec(),
             Observable::RelativeDrift => {
@@ -265,11 +255,6 @@ impl Gauge for TopGauge {
             Observable::Lyapunov | Observable::Megno | Observable::Sali => Vec::new(),
         }
     }
-}
-
-/// Returns the momentum with these coordinates.
-fn state(coordinates: &[f64]) -> Se3Dual {
-    Vector::from_coordinates(|i| coordinates.get(i).copied().unwrap_or(f64::NAN))
 }
 
 #[cfg(test)]

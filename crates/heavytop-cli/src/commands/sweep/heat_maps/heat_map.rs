@@ -91,7 +91,8 @@ pub(in crate::commands::sweep) fn heat_map(
 
 /// Returns the parts of the caption: how many members, by which method, and what all of them share.
 fn words(plan: &Plan) -> Vec<String> {
-    let (schedule, (formulation, scheme)) = (plan.course.schedule, plan.family.method());
+    let (schedule, method) = (plan.course.schedule, plan.family.method());
+    let (formulation, scheme) = (method.formulation(), method.scheme());
     let mut parts = vec![
         format!("{} {}", plan.members, plan.nouns()),
         caption::method(formulation, scheme, schedule.step),

@@ -1,0 +1,83 @@
+//! The integrators of a system: [`FormulaSystem::integrator`].
+
+use super::integration::Integration;
+use crate::{FormulaSystem, FormulaSystemError};
+use collective_integrators::{AnyIntegrator, AnyTangents};
+use heavytop::methods::Method;
+
+impl FormulaSystem {
+    /// Returns the integrator of a method, for runs from a state. It has tangent maps. Stages are solved to the method's
+    /// tolerance, relative to the state; 0 iterates to the round-off floor.
+    ///
+    /// The state is needed because some Clebsch maps have a lift for one state but not for another.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError`] if the algebra [does not have the method](crate::SystemAlgebra::method), if the length of the
+    /// state is not the dimension, if h has no value or no differential at the start, or if the integrator cannot be made.
+    ///
+    /// # Example
+    /// The drift of the Casimir |Π|² of a free rigid body over 100 steps:
+    /// ```
+    /// use collective_integrators::{AnyState, Start};
+    /// use heavytop::methods::{Formulation, SchemeName};
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+    /// use lie_poisson_formulas::Parameters;
+    ///
+    /// let body = FormulaSystem::new(SystemAlgebra::named("so(3)")?, "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2", &Parameters::new())?;
+    /// let body = body.with_found_casimirs()?;
+    /// let start = [1.0, 2.0, 0.5];
+    /// let drift = |formulation, scheme| -> Result<f64, Box<dyn std::error::Error>> {
+    ///     let integrator = body.integrator(&body.algebra().method(formulation, scheme, 0.0)?, &start)?;
+    ///     let end = integrator.after(&AnyState::from_slice(&start), 0.1, 100)?.momentum;
+    ///     Ok((body.invariants(end.as_slice())?[1] - body.invariants(&start)?[1]).abs())
+    /// };
+    /// assert!(drift(Formulation::Collective, SchemeName::Gauss(2))? < 1e-13);
+    /// assert!(drift(Formulation::Direct, SchemeName::Rk4)? > 1e-8);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn integrator(
+        &self,
+        method: &Method,
+        start: &[f64],
+    ) -> Result<AnyIntegrator<dyn AnyTangents>, FormulaSystemError> {
+        self.integration(method, start)?.make()
+    }
+
+    /// Returns whether the steps of a method descend to 𝔤∗. It is false for a collective method by a Clebsch map whose
+    /// [`equivariant_maps_descend`](momentum_map::PoissonMap::equivariant_maps_descend) is false. The steps are then
+    /// not Poisson maps, and the Casimirs are conserved only to the order of the scheme.
+    ///
+    /// # Errors
+    /// Returns the errors of [`integrator`](Self::integrator).
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop::methods::{Formulation, SchemeName};
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+    /// use lie_poisson_formulas::{Coordinates, Parameters};
+    /// let descends = |brackets: [(&str, &str); 2]| -> Result<bool, Box<dyn std::error::Error>> {
+    ///     let names = Coordinates::scalars(["x", "y", "z"])?;
+    ///     let algebra = SystemAlgebra::of_brackets(names, brackets, &Parameters::new())?;
+    ///     let method = algebra.method(Formulation::Collective, SchemeName::Gauss(2), 0.0)?;
+    ///     let system = FormulaSystem::new(algebra, "x^2 + y^2 + z^2", &Parameters::new())?;
+    ///     Ok(system.descends(&method, &[0.1, 0.3, -0.2])?)
+    /// };
+    /// assert!(descends([("x, y", "z"), ("x, z", "y")])?); // the Poincaré algebra
+    /// assert!(!descends([("x, z", "x"), ("y, z", "2*y")])?); // the cube of ad z is no multiple of it
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn descends(&self, method: &Method, start: &[f64]) -> Result<bool, FormulaSystemError> {
+        self.integration(method, start)?.descends()
+    }
+
+    /// Checks that the system has the method from the start, and returns all three.
+    fn integration<'a>(
+        &'a self,
+        method: &'a Method,
+        start: &'a [f64],
+    ) -> Result<Integration<'a>, FormulaSystemError> {
+        self.algebra().require(method.formulation(), method.scheme())?;
+        self.require_differential(start)?;
+        Ok(Integration { method, system: self, start })
+    }
+}

@@ -1,0 +1,7 @@
+//! What runs follow: tops, and other Lie–Poisson systems.
+
+pub(crate) mod conserved;
+pub(crate) mod model;
+pub(crate) mod top_in_axes;
+mod formula_system;
+pub mod step_angle;

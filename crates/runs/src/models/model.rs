@@ -1,0 +1,154 @@
+//! What is integrated: [`Model`].
+
+use super::conserved::Conserved;
+use crate::RunFailure;
+use collective_integrators::diagnostics::{
+    RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,
+};
+use collective_integrators::{AnyIntegrator, AnyTangents, RunError};
+use core::fmt;
+use heavytop::methods::Method;
+use lie_poisson::Quaternion;
+
+/// A Lie–Poisson system whose coordinates, conserved quantities and integrators are known by name: what a
+/// [run](crate::Experiment) follows.
+///
+/// Momenta are slices of coordinates. A model may compute in other axes than those in which users give and read its
+/// momenta, as a top does in its principal axes: [`start`](Self::start) takes what is given, and
+/// [`present`](Self::present) makes what is read. Everything else is in the axes of the computation.
+///
+/// The methods below without a body are all that a new system needs; `examples/two_rotors.rs` has one.
+pub trait Model: SystemScales + fmt::Debug + Send + Sync {
+    /// Returns the name of the Lie algebra.
+    fn algebra_name(&self) -> String;
+
+    /// Returns the coordinates: the name of each vector or scalar, with the names of its columns.
+    fn coordinates(&self) -> Vec<(String, Vec<String>)>;
+
+    /// Returns what the motion from a start conserves.
+    fn conserved(&self, start: &[f64]) -> Box<dyn Conserved + '_>;
+
+    /// Returns the integrator of a method for runs from a start. It has tangent maps.
+    ///
+    /// # Errors
+    /// If there is no such integrator.
+    fn tangent_integrator(
+        &self,
+        method: &Method,
+        start: &[f64],
+    ) -> Result<AnyIntegrator<dyn AnyTangents>, RunFailure>;
+
+    /// Returns the fastest integrator of a method for runs from a start.
+    ///
+    /// # Errors
+    /// If there is no such integrator.
+    fn integrator(&self, method: &Method, start: &[f64]) -> Result<AnyIntegrator, RunFailure> {
+        Ok(self.tangent_integrator(method, start)?.without_tangents())
+    }
+
+    /// Returns the integrator of a method that carries the attitude along, whose unit quaternion is in the last four
+    /// coordinates of its states.
+    ///
+    /// # Errors
+    /// If there is no such integrator, or the method does not determine the attitude.
+    fn integrator_with_attitude(
+        &self,
+        method: &Method,
+        _start: &[f64],
+    ) -> Result<AnyIntegrator, RunFailure> {
+        Err(RunFailure::NoAttitude { formulation: method.formulation() })
+    }
+
+    /// Returns the momentum in the axes of the computation of one that users give.
+    ///
+    /// # Errors
+    /// If the system cannot have it.
+    fn start(&self, given: &[f64]) -> Result<Vec<f64>, RunFailure>;
+
+    /// Replaces a momentum by the one in the axes of the users.
+    fn present(&self, _momentum: &mut [f64]) {}
+
+    /// Returns what turns attitudes of the motion from a start to those in the axes of the users.
+    fn present_attitude(&self, _start: &[f64]) -> Box<dyn Fn(Quaternion) -> Quaternion + '_> {
+        Box::new(|attitude| attitude)
+    }
+
+    /// Returns whether a conserved quantity is one of the coordinates, so that it needs no column of its own.
+    fn is_coordinate(&self, _conserved: &str) -> bool {
+        false
+    }
+
+    /// Returns the formula of a conserved quantity, if the system was given by formulas.
+    fn formula(&self, _conserved: &str) -> Option<String> {
+        None
+    }
+
+    /// Returns whether the steps of a method descend to 𝔤∗. If not, they are not Poisson maps.
+    ///
+    /// # Errors
+    /// If there is no such method.
+    fn descends(&self, method: &Method, start: &[f64]) -> Result<bool, RunFailure>;
+
+    /// Returns a warning for users about what the method does not conserve.
+    ///
+    /// # Errors
+    /// If there is no such method.
+    fn warning(&self, method: &Method, start: &[f64]) -> Result<Option<String>, RunFailure>;
+}
+
+impl dyn Model + '_ {
+    /// Returns the names of the columns of the coordinates.
+    #[must_use]
+    pub fn columns(&self) -> Vec<String> {
+        self.coordinates().into_iter().flat_map(|(_, columns)| columns).collect()
+    }
+
+    /// Measures how accurate a run of `steps` steps of size `step` from a start is, without making the whole run if it is
+    /// long: [`run_accuracy`]. There is no estimate if `going` tells it to end.
+    ///
+    /// # Errors
+    /// Those of [`integrator`](Model::integrator).
+    ///
+    /// # Example
+    /// A free rigid body that turns by 15 rad in a step. The energy and |Π|² are conserved to round-off.
+    /// ```
+    /// use heavytop::methods::{Formulation, SchemeName};
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+    /// use lie_poisson_runs::Model;
+    /// let so3 = SystemAlgebra::named("so(3)")?;
+    /// let gauss = so3.method(Formulation::Collective, SchemeName::Gauss(4), 0.0)?;
+    /// let body = FormulaSystem::new(so3, "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2", &Default::default())?;
+    /// let (body, start): (&dyn Model, _) = (&body, [10.0, 0.1, 10.0]);
+    /// let accuracy = body.accuracy(&gauss, &start, (0.02, 500), &|| true)?;
+    /// assert!(accuracy.error < Some(1e-9) && accuracy.warning().is_none());
+    /// let accuracy = body.accuracy(&gauss, &start, (0.3, 500), &|| true)?;
+    /// assert!(accuracy.angle > 3.0 && accuracy.warning().is_some());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn accuracy(
+        &self,
+        method: &Method,
+        start: &[f64],
+        steps: (f64, u64),
+        going: &dyn Fn() -> bool,
+    ) -> Result<RunAccuracy, RunFailure> {
+        let (integrator, order) = (self.integrator(method, start)?, method.scheme().order());
+        Ok(run_accuracy(&integrator, self, start, steps, order, going))
+    }
+
+    /// Checks a whole run of `steps` steps of size `step` from a start by runs with half the step and with twice the step:
+    /// [`check_by_half_steps`]. Returns `None` if `going` tells it to end.
+    ///
+    /// # Errors
+    /// Those of [`integrator`](Model::integrator). The inner error is that of a step that fails.
+    pub fn check(
+        &self,
+        method: &Method,
+        start: &[f64],
+        steps: (f64, u64),
+        going: &dyn Fn() -> bool,
+    ) -> Result<Result<Option<StepCheck>, RunError>, RunFailure> {
+        let (integrator, order) = (self.integrator(method, start)?, method.scheme().order());
+        Ok(check_by_half_steps(&integrator, self, start, steps, order, going))
+    }
+}

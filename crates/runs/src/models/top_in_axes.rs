@@ -1,0 +1,178 @@
+//! The model of a heavy top: [`TopInAxes`].
+
+use super::conserved::Conserved;
+use super::model::Model;
+use crate::RunFailure;
+use collective_integrators::diagnostics::SystemScales;
+use collective_integrators::{AnyIntegrator, AnyTangents};
+use core::ops::Range;
+use heavytop::methods::{Method, SchemeName};
+use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
+use lie_poisson::{Quaternion, Se3Dual, Vector};
+
+/// A heavy top, and the axes of the body in which users give and read its states (Π, Γ). It moves in its principal axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TopInAxes {
+    /// The top in its principal axes.
+    pub top: HeavyTop,
+    /// The principal axes, in the axes of the users.
+    pub axes: PrincipalAxes,
+}
+
+impl TopInAxes {
+    /// Returns (Π, Γ) of its coordinates; those that are missing are no numbers.
+    #[must_use]
+    pub fn state(coordinates: &[f64]) -> Se3Dual {
+        Vector::from_coordinates(|i| coordinates.get(i).copied().unwrap_or(f64::NAN))
+    }
+
+    /// Returns the coordinates of (Π, Γ).
+    #[must_use]
+    pub fn coordinates(mu: &Se3Dual) -> [f64; 6] {
+        core::array::from_fn(|i| mu.coordinate(i))
+    }
+
+    /// Returns the warning about a method whose steps do not descend to se(3)∗, whatever the top is.
+    #[must_use]
+    pub fn method_warning(method: &Method) -> Option<String> {
+        matches!(method.scheme(), SchemeName::Partitioned(_)).then(|| {
+            format!(
+                "warning: {} does not descend from T*C² to se(3)*: what comes out depends on the lift, \
+                 and f1 and f2 are not conserved",
+                method.scheme()
+            )
+        })
+    }
+
+    /// Returns (Π, Γ) in the axes of the users.
+    #[must_use]
+    pub fn given(&self, mu: &Se3Dual) -> Se3Dual {
+        if self.axes.is_aligned() { *mu } else { self.axes.state_from_principal(mu) }
+    }
+}
+
+impl From<HeavyTop> for TopInAxes {
+    /// Returns the top whose states are given and read in its principal axes.
+    fn from(top: HeavyTop) -> Self {
+        Self { top, axes: PrincipalAxes::aligned(top.inertia()) }
+    }
+}
+
+impl SystemScales for TopInAxes {
+    fn blocks(&self) -> Vec<Range<usize>> {
+        self.top.blocks()
+    }
+
+    fn differential(&self, mu: &[f64]) -> Vec<f64> {
+        self.top.differential(mu)
+    }
+
+    fn fastest_rate(&self, mu: &[f64]) -> f64 {
+        self.top.fastest_rate(mu)
+    }
+}
+
+impl Model for TopInAxes {
+    fn algebra_name(&self) -> String {
+        "se(3)".into()
+    }
+
+    fn coordinates(&self) -> Vec<(String, Vec<String>)> {
+        let vector = |name: &str| (name.into(), (1..=3).map(|i| format!("{name}{i}")).collect());
+        vec![vector("Pi"), vector("Gamma")]
+    }
+
+    fn conserved(&self, start: &[f64]) -> Box<dyn Conserved + '_> {
+        let list = self.top.invariants_from(&Self::state(start));
+        Box::new(Invariants { top: &self.top, list })
+    }
+
+    fn tangent_integrator(
+        &self,
+        method: &Method,
+        _start: &[f64],
+    ) -> Result<AnyIntegrator<dyn AnyTangents>, RunFailure> {
+        Ok(method.tangent_integrator(&self.top)?)
+    }
+
+    /// Kernels, which have no tangent maps, make the same steps faster.
+    fn integrator(&self, method: &Method, _start: &[f64]) -> Result<AnyIntegrator, RunFailure> {
+        Ok(method.integrator(&self.top)?)
+    }
+
+    fn integrator_with_attitude(
+        &self,
+        method: &Method,
+        _start: &[f64],
+    ) -> Result<AnyIntegrator, RunFailure> {
+        let formulation = method.formulation();
+        let integrator = method.integrator_with_attitude(&self.top)?;
+        integrator.ok_or(RunFailure::NoAttitude { formulation })
+    }
+
+    /// Checks that a thin rod does not turn about itself.
+    fn start(&self, given: &[f64]) -> Result<Vec<f64>, RunFailure> {
+        let mu = self.axes.state_to_principal(&Self::state(given));
+        self.top.require_state(&mu)?;
+        Ok(Self::coordinates(&mu).to_vec())
+    }
+
+    fn present(&self, momentum: &mut [f64]) {
+        if !self.axes.is_aligned() {
+            let given = self.axes.state_from_principal(&Self::state(momentum));
+            momentum.iter_mut().zip(Self::coordinates(&given)).for_each(|(x, given)| *x = given);
+        }
+    }
+
+    /// Turns the attitude about the vertical, so that in the axes of the users it begins as the shortest one, as it does in
+    /// the principal axes.
+    fn present_attitude(&self, start: &[f64]) -> Box<dyn Fn(Quaternion) -> Quaternion + '_> {
+        let (axes, start) = (&self.axes, Self::state(start));
+        if axes.is_aligned() {
+            return Box::new(|attitude| attitude);
+        }
+        let given = axes.state_from_principal(&start);
+        let shortest = axes.attitude_from_principal(&attitude_of_vertical(&start.0.1));
+        let turn = attitude_of_vertical(&given.0.1) * shortest.conjugate();
+        Box::new(move |attitude| turn * axes.attitude_from_principal(&attitude))
+    }
+
+    /// f₃ is a component of Π in principal axes.
+    fn is_coordinate(&self, conserved: &str) -> bool {
+        conserved == Invariant::AxialMomentum.symbol()
+            && self.axes.is_aligned()
+            && self.top.axial_component().is_some()
+    }
+
+    fn descends(&self, method: &Method, _start: &[f64]) -> Result<bool, RunFailure> {
+        Ok(Self::method_warning(method).is_none())
+    }
+
+    fn warning(&self, method: &Method, _start: &[f64]) -> Result<Option<String>, RunFailure> {
+        Ok(Self::method_warning(method))
+    }
+}
+
+/// The invariants of a top.
+struct Invariants<'a> {
+    top: &'a HeavyTop,
+    list: Vec<Invariant>,
+}
+
+impl Conserved for Invariants<'_> {
+    fn names(&self) -> Vec<String> {
+        self.list.iter().map(|invariant| invariant.symbol().into()).collect()
+    }
+
+    fn append(&self, momentum: &[f64], values: &mut Vec<f64>) {
+        let mu = TopInAxes::state(momentum);
+        values.extend(self.list.iter().map(|invariant| invariant.value(self.top, &mu)));
+    }
+
+    fn without_value(&self, momentum: &[f64]) -> String {
+        let mu = TopInAxes::state(momentum);
+        let is_infinite = |f: &&Invariant| !f.value(self.top, &mu).is_finite();
+        let symbol = self.list.iter().find(is_infinite).map_or("h", |f| f.symbol());
+        format!("the invariant {symbol} is not finite")
+    }
+}
