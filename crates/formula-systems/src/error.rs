@@ -17,6 +17,24 @@ pub enum FormulaSystemError {
         /// The names of all algebras.
         names: Vec<&'static str>,
     },
+    /// There is no system of this name.
+    #[error("there is no system {name}; there are {}", names.join(", "))]
+    NoKind {
+        /// The name that no system has.
+        name: String,
+        /// The names of all systems.
+        names: Vec<&'static str>,
+    },
+    /// A parameter of a system by name is missing, has another number of components, or is none of its parameters.
+    #[error("{name} is wrong or missing: {kind} has the parameters {}", has.join(", "))]
+    KindParameter {
+        /// The name of the system.
+        kind: &'static str,
+        /// The name of the parameter.
+        name: String,
+        /// The parameters of the system.
+        has: Vec<String>,
+    },
     /// The algebra has no coordinates, or too many.
     #[error("a system has 1 to {most} coordinates, not {count}")]
     Dimension {

@@ -31,6 +31,7 @@
 //! | structure constants from a text, one per line | [`structure_table`] |
 //! | the coordinates of a state by their names | [`SystemAlgebra::state`] |
 //! | a Hamiltonian on it as text, and the Casimirs | [`FormulaSystem`] |
+//! | a system by name, or to add one | [`SystemKind`] |
 //! | the formulations that an algebra has, a method of one | [`SystemAlgebra::formulations`], [`SystemAlgebra::method`] |
 //! | the integrator of a [`Method`](heavytop::methods::Method) by name | [`FormulaSystem::integrator`] |
 //! | a Poincaré section on a level set of h and the Casimirs | [`SystemSection`] |
@@ -59,11 +60,13 @@
 mod error;
 mod algebras;
 mod systems;
+mod catalogue;
 mod methods;
 mod sections;
 
 pub use algebras::structure_table::{StructureTableError, structure_table};
 pub use algebras::system_algebra::SystemAlgebra;
+pub use catalogue::system_kind::{Parameter, SystemKind};
 pub use error::FormulaSystemError;
 pub use sections::system_section::SystemSection;
 pub use systems::formula_system::FormulaSystem;

@@ -8,3 +8,4 @@ mod formulas;
 mod large_states;
 mod rounded_algebras;
 mod spinsys_oracle;
+mod systems_by_kind;

@@ -66,6 +66,12 @@ impl Parameters {
         Ok(self)
     }
 
+    /// Returns the names in the order in which they were added, with the number of components of each vector.
+    pub fn shapes(&self) -> impl Iterator<Item = (&str, Option<usize>)> {
+        let shape = |entry: &Parameter| entry.is_vector.then_some(entry.values.len());
+        self.entries.iter().map(move |entry| (entry.name.as_str(), shape(entry)))
+    }
+
     /// Returns the parameters in the order in which they were added.
     pub(crate) fn entries(&self) -> &[Parameter] {
         &self.entries

@@ -31,6 +31,7 @@ impl From<RunFailure> for Error {
                 Self::OutOfRange { name: "end", range: "finite and more than 10", value }
             }
             RunFailure::Tangent(error) => Self::Tangent(error),
+            RunFailure::Top(error) => Self::Spin(error),
             error => Self::Run(error),
         }
     }

@@ -22,6 +22,9 @@ pub enum SystemTableError {
         "write one of algebra, coordinates with brackets, and structure_constants with or without coordinates"
     )]
     TwoAlgebras,
+    /// A system by name has an algebra or a Hamiltonian of its own.
+    #[error("a kind has its algebra and its Hamiltonian: write neither, or leave out kind")]
+    TwoSystems,
     /// The structure constants are no table of a Lie algebra.
     #[error("structure_constants")]
     StructureConstants(#[source] StructureTableError),
@@ -61,6 +64,11 @@ impl SystemTableError {
             Self::TwoAlgebras => ["brackets", "structure_constants", "coordinates", "algebra", ""]
                 .map(|other| (below_system(other), "leave out all but one"))
                 .to_vec(),
+            Self::TwoSystems => {
+                ["hamiltonian", "algebra", "brackets", "structure_constants", "kind"]
+                    .map(|other| (below_system(other), "leave it out"))
+                    .to_vec()
+            }
             Self::StructureConstants(_) => key("system.structure_constants", ""),
             Self::SameColumn { .. } => key("system.coordinates", "choose another name"),
             Self::Parameter { name, .. } => vec![(format!("system.parameters.{name}"), "")],
@@ -82,6 +90,12 @@ fn keys_of(error: &FormulaSystemError) -> Vec<(String, &'static str)> {
     match error {
         E::Structure(_) => key("structure_constants", ""),
         E::NoAlgebra { .. } => key("algebra", ""),
+        E::NoKind { .. } => key("kind", ""),
+        E::KindParameter { name, .. } => [format!("parameters.{name}"), "parameters".into()]
+            .into_iter()
+            .chain(["kind".into()])
+            .map(|of| (below_system(&of), ""))
+            .collect(),
         E::Dimension { .. } | E::Coordinates(_) => key("coordinates", ""),
         E::Parameters(_) => key("parameters", ""),
         E::NoPair { key: pair } => key(&format!("brackets.{pair}"), "the key is a pair, \"x, y\""),

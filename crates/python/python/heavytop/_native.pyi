@@ -78,6 +78,7 @@ class Top:
 
 AlgebraSource = Union[
     str,
+    tuple[str],
     tuple[list[str], list[tuple[str, str]]],
     tuple[Union[str, list[str]], list[tuple[int, int, int, float]], int],
 ]
@@ -88,6 +89,8 @@ SystemSetting = tuple[Sequence[float], float, SystemMethod]
 def coordinate_groups(
     algebra: AlgebraSource, parameters: Sequence[Parameter]
 ) -> list[tuple[str, int]]: ...
+
+def hamiltonian_of_kind(name: str, parameters: Sequence[Parameter]) -> str: ...
 
 class System:
     hamiltonian: str

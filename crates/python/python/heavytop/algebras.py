@@ -16,10 +16,11 @@ Names = Union[str, list[str]]
 
 AlgebraSource = Union[
     str,
+    tuple[str],
     tuple[list[str], list[tuple[str, str]]],
     tuple[Names, list[tuple[int, int, int, float]], int],
 ]
-"""A name; or the names of coordinates with their brackets; or names, structure constants and the dimension."""
+"""A name; or the name of a system, alone in a tuple; or the names of coordinates with their brackets; or names, structure constants and the dimension."""
 
 
 class Algebra(NamedTuple):

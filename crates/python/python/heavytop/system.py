@@ -37,6 +37,8 @@ class System(SystemDescription):
             the name of one vector, whose components they are.
         brackets: the brackets of the algebra that are not zero, such as `{("K", "H"): "P"}` for [K, H] = P. They are sums of
             multiples of coordinates, such as "2*x - a*y" with a parameter a.
+        kind: instead of algebra and Hamiltonian, the name of a system of the library, such as "body-with-rotors"; its
+            parameters go in `parameters`.
         structure_constants: instead of brackets, the array c of shape (d, d, d) with [e_i, e_j] = sum_k c[i, j, k] e_k.
 
     Raises:
@@ -55,6 +57,12 @@ class System(SystemDescription):
         >>> run = same.solve({"Pi": [2, 3, 4], "Gamma": [0.6, 0, 0.8]}, step=0.1, end=100, scheme="gauss-12")
         >>> run.deviation("c1") < 1e-12, run.deviation("h") < 1e-10
         (True, True)
+
+        A body with two rotors, by its name:
+
+        >>> body = System(kind="body-with-rotors", parameters={"I": [1, 2, 3], "J": [0.1, 0.2]})
+        >>> body.casimirs
+        {'c1': 'l1', 'c2': 'l2', 'c3': '|Pi|^2'}
 
         A rotor on the line, by its brackets:
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from .algebras import Algebra, Brackets, algebra_source, native_parameters
+from .algebras import Algebra, AlgebraSource, Brackets, algebra_source, native_parameters
 from .arguments import array, choice, real
 from .events import Function, function_source
 from .methods import SCHEMES, tolerance_of
@@ -33,15 +33,23 @@ class SystemDescription:
         coordinates: Union[None, str, Sequence[str]] = None,
         brackets: Optional[Brackets] = None,
         structure_constants: Optional[ArrayLike] = None,
+        kind: Optional[str] = None,
     ) -> None:
-        if hamiltonian is None:
-            raise ValueError("hamiltonian is missing: a formula or a function of the coordinates")
-        source = algebra_source(Algebra(algebra, coordinates, brackets, structure_constants))
         numbers, self._parameters = native_parameters(parameters or {})
+        given = Algebra(algebra, coordinates, brackets, structure_constants)
+        source: AlgebraSource
+        if kind is not None:
+            if hamiltonian is not None or any(part is not None for part in given):
+                raise ValueError("a kind has its algebra and its Hamiltonian: write neither, or leave out kind")
+            source, hamiltonian = (str(kind),), _native.hamiltonian_of_kind(str(kind), numbers)
+        else:
+            if hamiltonian is None:
+                raise ValueError("hamiltonian is missing: a formula or a function of the coordinates")
+            source = algebra_source(given)
         self._names = names_of_groups(_native.coordinate_groups(source, numbers))
         function = function_source("hamiltonian", hamiltonian, self._names, self._parameters)
         self._system = _native.System(source, function, numbers)
-        self._algebra = algebra or "brackets"
+        self._algebra = algebra or kind or "brackets"
 
     @property
     def dimension(self) -> int:

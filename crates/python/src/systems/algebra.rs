@@ -2,7 +2,7 @@
 
 use crate::errors::refused;
 use core::ops::Range;
-use lie_poisson_formula_systems::SystemAlgebra;
+use lie_poisson_formula_systems::{SystemAlgebra, SystemKind};
 use lie_poisson_formulas::{Coordinates, NameError, Parameters, StructureEntry};
 use pyo3::{FromPyObject, IntoPyObject, PyResult, pyfunction};
 
@@ -12,6 +12,8 @@ pub(crate) type ParameterArgument = (String, Vec<f64>, bool);
 /// A Lie algebra.
 #[derive(Clone, FromPyObject, IntoPyObject)]
 pub(crate) enum AlgebraSource {
+    /// The name of a system of the library, whose algebra it is.
+    OfKind((String,)),
     /// The name of an algebra of the library.
     Named(String),
     /// The names of the coordinates, and the brackets of pairs of them that are not zero.
@@ -35,6 +37,7 @@ impl AlgebraSource {
     pub(crate) fn algebra(&self, parameters: &Parameters) -> PyResult<SystemAlgebra> {
         let scalars = |names: &[String]| Coordinates::scalars(names.iter().map(String::as_str));
         match self {
+            Self::OfKind((name,)) => SystemKind::named(name).and_then(SystemKind::algebra),
             Self::Named(name) => SystemAlgebra::named(name),
             Self::Brackets(names, brackets) => {
                 let coordinates = scalars(names).map_err(refused)?;
@@ -68,6 +71,14 @@ pub fn coordinate_groups(
         (name.to_owned(), if is_scalar(name) { 0 } else { places.len() })
     };
     Ok(coordinates.groups().map(group).collect())
+}
+
+/// Returns the Hamiltonian of a system of the library.
+#[pyfunction]
+pub fn hamiltonian_of_kind(name: &str, arguments: Vec<ParameterArgument>) -> PyResult<String> {
+    let kind = SystemKind::named(name).map_err(refused)?;
+    kind.system(&parameters(&arguments)?).map_err(refused)?;
+    Ok(kind.hamiltonian.into())
 }
 
 /// Returns the parameters from the arguments.

@@ -6,7 +6,7 @@ use crate::RunFailure;
 use collective_integrators::{AnyIntegrator, AnyTangents};
 use core::ops::Range;
 use heavytop::methods::Method;
-use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError};
+use lie_poisson_formula_systems::FormulaSystem;
 
 /// h and the Casimirs, c1, c2, …, are conserved.
 impl Model for FormulaSystem {
@@ -31,15 +31,6 @@ impl Model for FormulaSystem {
         start: &[f64],
     ) -> Result<AnyIntegrator<dyn AnyTangents>, RunFailure> {
         Ok(self.integrator(method, start)?)
-    }
-
-    /// Checks the number of coordinates.
-    fn start(&self, given: &[f64]) -> Result<Vec<f64>, RunFailure> {
-        let (expected, found) = (self.algebra().dimension(), given.len());
-        match expected == found {
-            true => Ok(given.to_vec()),
-            false => Err(FormulaSystemError::StateLength { expected, found }.into()),
-        }
     }
 
     fn formula(&self, conserved: &str) -> Option<String> {

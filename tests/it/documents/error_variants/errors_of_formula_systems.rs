@@ -5,7 +5,7 @@ use collective_integrators::{AnyState, Direction, Start, StepError};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::So3;
 use lie_poisson_formula_systems::{
-    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemSection, structure_table,
+    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemKind, SystemSection, structure_table,
 };
 use lie_poisson_formulas::{Coordinates, Parameters, StructureEntry, find_casimirs};
 
@@ -98,6 +98,8 @@ pub fn systems_and_states() -> Vec<String> {
     let casimirs =
         || -> Outcome<_> { Ok(find_casimirs(&So3, &Coordinates::scalars(["x", "y"])?)?) };
     vec![
+        refused(SystemKind::named("body-with-rotor")),
+        refused(SystemKind::named("body-with-rotors").unwrap().system(&none)),
         refused(system("Pi4")),
         refused(casimirs()),
         refused(so3.state([("Pi1", &[1.0][..])])),

@@ -8,7 +8,7 @@ use crate::errors::SystemTableError;
 use crate::runs::{Experiment, Pace, Schedule};
 use heavytop::methods::Formulation;
 use lie_poisson_formula_systems::{
-    FormulaSystem, FormulaSystemError, SystemAlgebra, structure_table,
+    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemKind, structure_table,
 };
 use lie_poisson_formulas::{Coordinates, Parameters};
 use lie_poisson_runs::step_angle::require_sane_step;
@@ -20,6 +20,9 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct SystemConfig {
+    /// The name of a system of the library, which has an algebra and a Hamiltonian.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kind: Option<String>,
     /// The name of an algebra of the library, such as `se(3)`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub algebra: Option<String>,
@@ -91,9 +94,29 @@ impl SystemConfig {
     /// If there is no such system.
     pub(crate) fn formula_system(&self) -> Result<FormulaSystem, Error> {
         let parameters = self.parameters()?;
+        if let Some(kind) = self.system_kind()? {
+            return Ok(kind.system(&parameters)?);
+        }
         let algebra = self.algebra(&parameters)?;
         let system = FormulaSystem::new(algebra, self.hamiltonian()?, &parameters)?;
         Ok(system.with_found_casimirs()?)
+    }
+
+    /// Returns the system of the library that the table names.
+    ///
+    /// # Errors
+    /// If there is none of this name, or the table has an algebra or a Hamiltonian, too.
+    fn system_kind(&self) -> Result<Option<&'static SystemKind>, Error> {
+        let Some(name) = &self.kind else { return Ok(None) };
+        let is_described = self.algebra.is_some()
+            || self.coordinates.is_some()
+            || self.hamiltonian.is_some()
+            || self.structure_constants.is_some()
+            || !self.brackets.is_empty();
+        match is_described {
+            true => Err(SystemTableError::TwoSystems.into()),
+            false => Ok(Some(SystemKind::named(name)?)),
+        }
     }
 
     /// Returns the text of the Hamiltonian.
@@ -101,7 +124,9 @@ impl SystemConfig {
     /// # Errors
     /// If the key is missing.
     pub(crate) fn hamiltonian(&self) -> Result<&str, SystemTableError> {
-        self.hamiltonian.as_deref().ok_or(SystemTableError::Missing("hamiltonian"))
+        let of_kind = || Some(SystemKind::named(self.kind.as_deref()?).ok()?.hamiltonian);
+        let own = self.hamiltonian.as_deref();
+        own.or_else(of_kind).ok_or(SystemTableError::Missing("hamiltonian"))
     }
 
     /// Returns the system of the table, in which parameters may differ from those of `base`. The Casimirs of an algebra

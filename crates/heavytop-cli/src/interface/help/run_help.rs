@@ -147,6 +147,11 @@ Another Lie–Poisson system instead of a top, with the minus bracket, by its al
   initial = { K = 0.1, H = 0.3, P = -0.2 }
 
   [system]
+  kind = \"body-with-rotors\"       # a system by name, with its algebra and Hamiltonian
+  parameters = { I = [1, 2, 3], J = [0.1, 0.2] }
+  initial = { Pi = [0.3, 1, 0.2], l = [0.2, 0.1] }
+
+  [system]
   structure_constants = '''       # or by lines i, j, k, value: [e_i, e_j] has the value at e_k;
   1, 2, 3, 1
   2, 3, 1, 1

@@ -284,10 +284,11 @@ fn a_state_that_is_not_finite_ends_the_run_and_keeps_what_there_is() {
     folder.write("a.toml", &format!("[integrator]\n{integrator}"));
     let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
     assert_eq!(run.code(), 1);
-    assert!(run.stderr().contains("the state is not finite after the step"), "{}", run.stderr());
+    // The square |Γ|² is too large for a number before Γ is.
+    assert!(run.stderr().contains("the invariant f1 is not finite"), "{}", run.stderr());
     assert_eq!(folder.names(), ["a.csv.partial", "a.toml"]);
     let (_, rows) = numbers(&folder.read("a.csv.partial"));
-    assert!(!rows.is_empty() && rows.iter().all(|row| row[1..7].iter().all(|x| x.is_finite())));
+    assert!(!rows.is_empty() && rows.iter().flatten().all(|x| x.is_finite()));
 }
 
 #[test]

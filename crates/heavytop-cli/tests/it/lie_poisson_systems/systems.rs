@@ -41,6 +41,47 @@ fn refused(done: &Finished) -> String {
     done.stderr()
 }
 
+/// A system by name is the system of its algebra and its Hamiltonian.
+#[test]
+fn a_system_by_name_is_that_of_its_formulas() {
+    let folder = Folder::new();
+    let rest = "parameters = { I = [1, 2, 3], J = [0.1, 0.2] }\n\
+                initial = { Pi = [0.3, 1, 0.2], l = [0.2, 0.1] }\n\
+                [integrator]\nend = 10\n";
+    folder.write("kind.toml", &format!("[system]\nkind = 'body-with-rotors'\n{rest}"));
+    let scalars = rest.replace(
+        "Pi = [0.3, 1, 0.2], l = [0.2, 0.1]",
+        "x = 0.3, y = 1, z = 0.2, l1 = 0.2, l2 = 0.1",
+    );
+    let formulas = "coordinates = ['x', 'y', 'z', 'l1', 'l2']\n\
+                    brackets = { 'x, y' = 'z', 'y, z' = 'x', 'z, x' = 'y' }\n\
+                    hamiltonian = '(x - l1)^2/(2*I1) + (y - l2)^2/(2*I2) + z^2/(2*I3) + l1^2/(2*J1) + l2^2/(2*J2)'\n";
+    folder.write("formulas.toml", &format!("[system]\n{formulas}{scalars}"));
+    let told = succeeded(&folder.heavytop(&["simulate", "kind.toml", "--out", "kind.csv"]));
+    succeeded(&folder.heavytop(&["simulate", "formulas.toml", "--out", "formulas.csv"]));
+    let (header, rows) = numbers(&folder.read("kind.csv"));
+    assert_eq!(header.join(","), "t,Pi1,Pi2,Pi3,l1,l2,h,c1,c2,c3", "{told}");
+    // The same tape in other names, to the last bit, but for scalars of which each converges by itself.
+    let (_, expected) = numbers(&folder.read("formulas.csv"));
+    for (row, expected) in rows.iter().zip(&expected) {
+        assert!(
+            row.iter().zip(expected).all(|(x, y)| (x - y).abs() < 1e-13),
+            "{row:?} {expected:?}"
+        );
+    }
+    assert_eq!(rows.len(), expected.len());
+    // What is wrong is named.
+    folder.write("few.toml", "[system]\nkind = 'body-with-rotors'\nparameters.I = [1, 2, 3]\n");
+    let said = refused(&folder.heavytop(&["simulate", "few.toml", "--out", "few.csv"]));
+    assert!(said.contains("J is wrong or missing") && said.contains("kg m²"), "{said}");
+    folder.write("other.toml", "[system]\nkind = 'body-with-rotor'\n");
+    let said = refused(&folder.heavytop(&["simulate", "other.toml", "--out", "few.csv"]));
+    assert!(
+        said.contains("there is no system body-with-rotor; there are body-with-rotors"),
+        "{said}"
+    );
+}
+
 #[test]
 fn a_top_as_a_system_moves_as_the_top() {
     let folder = Folder::new();

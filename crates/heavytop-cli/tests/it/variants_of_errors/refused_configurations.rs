@@ -34,9 +34,10 @@ const RUNS: [(&str, &str); 12] = [
 ];
 
 /// Configurations of runs of systems, below `[system]`.
-const SYSTEMS: [(&str, &str); 7] = [
+const SYSTEMS: [(&str, &str); 8] = [
     ("SystemTableError::Missing", "algebra = 'so(3)'"),
     ("SystemTableError::TwoAlgebras", "algebra = 'so(3)'\ncoordinates = ['x']\nhamiltonian = 'x'"),
+    ("SystemTableError::TwoSystems", "kind = 'body-with-rotors'\nhamiltonian = 'Pi1'"),
     (
         "SystemTableError::StructureConstants",
         "structure_constants = '''\n1\n2'''\nhamiltonian = '1'",
