@@ -15,7 +15,7 @@
 //! | any Lie–Poisson system, many of them at once | `systems` |
 //! | what is done along one run: recording, events, dense output | `runs` |
 //! | formulas as text, and functions that Python traced | `formulas` |
-//! | states and columns as NumPy arrays | `arrays`, `recorded` |
+//! | states and columns as NumPy arrays | `arrays`, `recorded`, `indicators` |
 //! | errors as Python exceptions | `errors` |
 //! | the threads of many runs, after a fork too | `threads` |
 //! | the types between Python and Rust | `_native.pyi` in `python/heavytop` |
@@ -43,6 +43,7 @@ mod arrays;
 mod formulas;
 mod runs;
 mod recorded;
+mod indicators;
 mod tops;
 mod systems;
 
@@ -65,7 +66,9 @@ mod _native {
     #[pymodule_export]
     use crate::errors::IntegrationError;
     #[pymodule_export]
-    use crate::recorded::{Indicators, Recorded};
+    use crate::indicators::Indicators;
+    #[pymodule_export]
+    use crate::recorded::Recorded;
     #[pymodule_export]
     use crate::systems::algebra::{coordinate_groups, hamiltonian_of_kind};
     #[pymodule_export]

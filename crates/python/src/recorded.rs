@@ -1,7 +1,6 @@
 //! The columns of runs as NumPy arrays.
 
 use crate::arrays::rows;
-use crate::runs::growth::Growth;
 use crate::runs::record::{Points, Record};
 use numpy::{PyArray1, PyArray2};
 use pyo3::{Py, PyErr, PyResult, Python, pyclass};
@@ -60,49 +59,4 @@ fn arrays(py: Python<'_>, points: Points, dimension: usize) -> PyResult<PointArr
     let count = points.times.len();
     let states = rows(py, points.states, [count, dimension])?;
     Ok((PyArray1::from_vec(py, points.times).unbind(), states.unbind()))
-}
-
-/// The indicators of chaos of many runs. A run that failed has no numbers.
-#[pyclass(frozen, get_all, module = "heavytop._native")]
-pub struct Indicators {
-    /// The times of the records.
-    times: Vec<f64>,
-    /// For each run, the exponents at each time.
-    exponents: Vec<Vec<f64>>,
-    /// For each run, MEGNO at each time.
-    megno: Vec<Vec<f64>>,
-    /// For each run, SALI at each time, if it was asked for.
-    sali: Vec<Vec<f64>>,
-    /// For each run, the state at the end.
-    ends: Vec<Vec<f64>>,
-    /// The index and the message of each run that failed.
-    failures: Vec<(usize, String)>,
-}
-
-impl Indicators {
-    /// Creates the columns of the growth of tangent vectors in many runs.
-    pub(crate) fn new(runs: Vec<Result<Growth, String>>) -> Self {
-        let mut all = Self {
-            times: Vec::new(),
-            exponents: Vec::new(),
-            megno: Vec::new(),
-            sali: Vec::new(),
-            ends: Vec::new(),
-            failures: Vec::new(),
-        };
-        for (index, run) in runs.into_iter().enumerate() {
-            let growth = run.unwrap_or_else(|message| {
-                all.failures.push((index, message));
-                Growth::default()
-            });
-            if !growth.times.is_empty() {
-                all.times = growth.times;
-            }
-            all.exponents.push(growth.exponents);
-            all.megno.push(growth.megno);
-            all.sali.push(growth.sali);
-            all.ends.push(growth.end);
-        }
-        all
-    }
 }

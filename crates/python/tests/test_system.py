@@ -274,3 +274,24 @@ def test_a_member_without_a_value_harms_no_other():
     starts[0, 2] = 5.0
     ends = heavytop.solve_many(system, starts, step=0.1, end=10, scheme="rk4", formulation="direct")
     assert list(ends.failures) == [0, 2] and list(np.isnan(ends.invariants["h"])) == [False, False, True]
+
+
+def test_a_system_by_name_is_that_of_its_formulas():
+    parameters = {"I": [1.0, 2.0, 3.0], "J": [0.1, 0.2]}
+    body = System(kind="body-with-rotors", parameters=parameters)
+    assert body.coordinates == ("Pi1", "Pi2", "Pi3", "l1", "l2")
+    assert set(body.casimirs.values()) == {"l1", "l2", "|Pi|^2"}
+    brackets = {"x, y": "z", "y, z": "x", "z, x": "y"}
+    text = body.hamiltonian.replace("Pi1", "x").replace("Pi2", "y").replace("Pi3", "z")
+    same = System(coordinates=["x", "y", "z", "l1", "l2"], brackets=brackets, hamiltonian=text, parameters=parameters)
+    start = [0.3, 1.0, 0.2, 0.2, 0.1]
+    run, other = (system.solve(start, step=0.05, end=10) for system in (body, same))
+    assert np.abs(run.y - other.y).max() < 1e-13 and np.abs(run.y[:3, -1] - start[:3]).max() > 0.1
+    assert all(run.deviation(name) < 1e-13 for name in body.casimirs)
+    assert pickle.loads(pickle.dumps(body._system)).casimirs == list(body.casimirs.values())
+    with pytest.raises(ValueError, match=r"J is wrong or missing: body-with-rotors has the parameters .*kg m²"):
+        System(kind="body-with-rotors", parameters={"I": [1, 2, 3]})
+    with pytest.raises(ValueError, match="there is no system top; there are body-with-rotors"):
+        System(kind="top")
+    with pytest.raises(ValueError, match="write neither"):
+        System("so(3)", kind="body-with-rotors", parameters=parameters)

@@ -1,6 +1,5 @@
 //! A system by name: [`SystemKind`].
 
-use super::body_with_rotors::BODY_WITH_ROTORS;
 use crate::{FormulaSystem, FormulaSystemError, SystemAlgebra};
 use lie_poisson_formulas::{Coordinates, Parameters};
 
@@ -49,20 +48,6 @@ pub struct Parameter {
 }
 
 impl SystemKind {
-    /// All systems by name.
-    pub const ALL: &[Self] = &[BODY_WITH_ROTORS];
-
-    /// Returns the system of this name.
-    ///
-    /// # Errors
-    /// Returns [`FormulaSystemError::NoKind`] with the names that there are.
-    pub fn named(name: &str) -> Result<&'static Self, FormulaSystemError> {
-        Self::ALL.iter().find(|kind| kind.name == name).ok_or_else(|| FormulaSystemError::NoKind {
-            name: name.to_owned(),
-            names: Self::ALL.iter().map(|kind| kind.name).collect(),
-        })
-    }
-
     /// Returns the system with these parameters, and its Casimirs.
     ///
     /// # Errors

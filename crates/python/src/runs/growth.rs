@@ -1,25 +1,20 @@
 //! Tangent vectors along a run: Lyapunov exponents, MEGNO and SALI.
 
-use super::interruption::until_interrupted;
-use super::schedule::schedule;
-use crate::errors::{message, refused};
-use crate::recorded::Indicators;
+use crate::errors::message;
 use collective_integrators::{
     AnyIntegrator, AnyState, AnyTangents, Megno, Start, VariationalFlow, smaller_alignment_index,
 };
 use core::sync::atomic::{AtomicBool, Ordering};
-use heavytop::methods::Method;
-use lie_poisson_runs::{Model, Schedule};
+use lie_poisson_runs::Schedule;
+use pyo3::PyResult;
 use pyo3::exceptions::PyValueError;
-use pyo3::{PyResult, Python};
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
 /// The number of steps after which a run looks for a request to stop.
 const BETWEEN_REQUESTS: u64 = 1 << 10;
 
 /// The tangent vectors that are followed.
 #[derive(Clone, Copy, PartialEq)]
-enum Tangents {
+pub(crate) enum Tangents {
     /// One, for the largest exponent and MEGNO.
     One,
     /// Two, each by itself, for SALI.
@@ -47,48 +42,8 @@ pub(crate) struct Growth {
     pub(crate) end: Vec<f64>,
 }
 
-/// The step, the end, and the number of steps between two records; 0 records the end alone.
-pub(crate) type Times = (f64, f64, u64);
-
-/// Follows tangent vectors along the run of each start, which is one of its own model or of the only one, on all threads.
-///
-/// # Errors
-/// Returns `ValueError` if a model cannot have its start, the steps are none, or there are no such tangent vectors, and
-/// `KeyboardInterrupt`.
-pub(crate) fn growth_of_models(
-    py: Python<'_>,
-    models: &[&dyn Model],
-    starts: &[Vec<f64>],
-    (step, end, every): Times,
-    (method, tangents): (&Method, &str),
-) -> PyResult<Indicators> {
-    let of = |index: usize| models.get(index).or(models.first());
-    let start = |(index, given): (usize, &Vec<f64>)| match of(index) {
-        Some(model) => model.start(given).map_err(refused),
-        None => Ok(given.clone()),
-    };
-    let starts: Vec<Vec<f64>> = starts.iter().enumerate().map(start).collect::<PyResult<_>>()?;
-    let (schedule, tangents) = (schedule(step, end)?, tangents_named(tangents)?);
-    let runs = until_interrupted(py, |stop| {
-        let one = |(index, start): (usize, &Vec<f64>)| {
-            if stop.load(Ordering::Relaxed) {
-                return Err("interrupted".into());
-            }
-            let model = *of(index).ok_or("there is no system")?;
-            let integrator = model.tangent_integrator(method, start);
-            let integrator = integrator.map_err(|error| message(&error))?;
-            let task = GrowthTask { start, schedule, every, stop, tangents };
-            let mut grown = task.grow(&integrator)?;
-            model.present(&mut grown.end);
-            Ok(grown)
-        };
-        starts.par_iter().enumerate().map(one).collect::<Vec<_>>()
-    })?;
-    Ok(Indicators::new(runs))
-}
-
 /// Returns the tangent vectors of a name.
-fn tangents_named(name: &str) -> PyResult<Tangents> {
+pub(crate) fn tangents_named(name: &str) -> PyResult<Tangents> {
     match name {
         "one" => Ok(Tangents::One),
         "two" => Ok(Tangents::Two),
@@ -98,14 +53,14 @@ fn tangents_named(name: &str) -> PyResult<Tangents> {
 }
 
 /// How tangent vectors are followed.
-struct GrowthTask<'a> {
-    start: &'a [f64],
-    schedule: Schedule,
+pub(crate) struct GrowthTask<'a> {
+    pub(crate) start: &'a [f64],
+    pub(crate) schedule: Schedule,
     /// The number of steps between two records; 0 records the end alone.
-    every: u64,
+    pub(crate) every: u64,
     /// Set by others if the task is to end.
-    stop: &'a AtomicBool,
-    tangents: Tangents,
+    pub(crate) stop: &'a AtomicBool,
+    pub(crate) tangents: Tangents,
 }
 
 /// An integrator with tangent maps.
@@ -116,7 +71,7 @@ impl GrowthTask<'_> {
     ///
     /// # Errors
     /// Returns the reason why the integrator has no such tangent vectors, or why a step fails.
-    fn grow(&self, integrator: &Motion) -> Result<Growth, String> {
+    pub(crate) fn grow(&self, integrator: &Motion) -> Result<Growth, String> {
         if !integrator.states_are_momenta() {
             return Err(NO_TANGENTS.into());
         }

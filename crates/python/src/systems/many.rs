@@ -3,9 +3,8 @@
 use super::system::System;
 use crate::arrays::rows;
 use crate::errors::message;
-use crate::recorded::Indicators;
+use crate::indicators::{Indicators, Times, growth_of_models};
 use crate::runs::following::MethodArgument;
-use crate::runs::growth::{Times, growth_of_models};
 use crate::runs::interruption::until_interrupted;
 use crate::runs::schedule::schedule;
 use collective_integrators::{AnyIntegrator, AnyState, CHECKPOINT, Start};

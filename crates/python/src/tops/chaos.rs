@@ -2,9 +2,8 @@
 
 use super::top::{Top, method_of};
 use crate::arrays::read_rows;
-use crate::recorded::Indicators;
+use crate::indicators::{Indicators, Times, growth_of_models};
 use crate::runs::following::MethodArgument;
-use crate::runs::growth::{Times, growth_of_models};
 use lie_poisson_runs::Model;
 use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyValueError;
