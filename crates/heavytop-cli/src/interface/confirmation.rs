@@ -27,16 +27,22 @@ pub(super) fn confirm(forecast: &Forecast, yes: bool) -> Result<(), Error> {
     let room = size(forecast.room);
     let free =
         free.map_or("free disk space is unknown".into(), |free| format!("{} are free", size(free)));
-    let large = || Error::Large { room: room.clone(), free: free.clone(), remedy: forecast.remedy };
+    let question = format!("heavytop: the run would write about {room}, and {free}; go on? [y/N] ");
+    match is_agreed(&question) {
+        Ok(true) => Ok(()),
+        _ => Err(Error::Large { room, free, remedy: forecast.remedy }),
+    }
+}
+
+/// Returns whether the user is at a terminal and answers a question with yes.
+fn is_agreed(question: &str) -> io::Result<bool> {
     if !(io::stdin().is_terminal() && io::stderr().is_terminal()) {
-        return Err(large());
+        return Ok(false);
     }
     let mut asked = io::stderr().lock();
-    let question = format!("heavytop: the run would write about {room}, and {free}; go on? [y/N] ");
-    let asked = asked.write_all(question.as_bytes()).and_then(|()| asked.flush());
+    asked.write_all(question.as_bytes())?;
+    asked.flush()?;
     let mut answer = String::new();
-    match asked.and_then(|()| io::stdin().read_line(&mut answer)) {
-        Ok(_) if ["y", "yes"].contains(&answer.trim().to_lowercase().as_str()) => Ok(()),
-        _ => Err(large()),
-    }
+    io::stdin().read_line(&mut answer)?;
+    Ok(["y", "yes"].contains(&answer.trim().to_lowercase().as_str()))
 }

@@ -1,16 +1,15 @@
 //! Forecasts of commands: how much they would write, and how long that would take.
 
+use crate::Error;
 use crate::files::place::shown;
+use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// The time for which a command is tried.
 pub(crate) const TRIAL: Duration = Duration::from_millis(200);
-
-/// The bytes of a number in text: digits, sign, point, perhaps an exponent, and a comma.
-pub(crate) const BYTES_OF_TEXT: u64 = 20;
 
 /// The amount that a command would write, and the time that it would take.
 ///
@@ -23,7 +22,7 @@ pub(crate) const BYTES_OF_TEXT: u64 = 20;
 /// assert!(forecast.to_string().starts_with("5000 steps, 5001 rows, about 440.1 kB in top.npz"));
 /// # Ok::<(), heavytop_cli::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Forecast {
     /// The path of the output, a file or a folder.
     pub out: PathBuf,
@@ -77,13 +76,36 @@ pub(crate) fn time(seconds: f64) -> String {
     }
 }
 
-/// Returns about the size of numbers of this size in a Parquet file. The last digits of a motion have no pattern.
-pub(crate) fn compressed(bytes: u64) -> u64 {
-    bytes / 10 * 6
+/// Returns the bytes of numbers in text: digits, sign, point, perhaps an exponent, and a comma.
+pub(crate) fn in_text(numbers: u64) -> u64 {
+    numbers.saturating_mul(20)
+}
+
+/// Returns about the bytes of numbers in a Parquet file. The last digits of a motion have no pattern.
+pub(crate) fn in_parquet(numbers: u64) -> u64 {
+    numbers.saturating_mul(8) / 10 * 6
+}
+
+/// Returns the time that independent parts of a command take on the current threads, s, estimated from some of them.
+///
+/// `seconds` gives the time of one part, by its number, on one thread.
+pub(crate) fn time_of_all(
+    parts: u64,
+    seconds: impl Fn(u64) -> Result<f64, Error> + Sync,
+) -> Result<f64, Error> {
+    let threads = rayon::current_num_threads() as u64;
+    let (begun, mut tried, mut sum) = (Instant::now(), 0, 0.0);
+    while tried == 0 || begun.elapsed() < TRIAL {
+        let group = (tried..tried + threads).into_par_iter().map(|n| seconds(spread(n, parts)));
+        sum += group.try_reduce(|| 0.0, |a, b| Ok(a + b))?;
+        tried += threads;
+    }
+    // Few parts leave threads without work.
+    Ok(sum / tried as f64 * parts as f64 / threads.min(parts) as f64)
 }
 
 /// Returns the n-th of some numbers below `count` that are spread evenly however many there are, by Weyl's sequence.
-pub(crate) fn spread(n: u64, count: u64) -> u64 {
+fn spread(n: u64, count: u64) -> u64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     ((n as f64 * GOLDEN).fract() * count as f64) as u64
 }

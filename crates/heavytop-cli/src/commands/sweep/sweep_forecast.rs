@@ -8,9 +8,8 @@ use crate::Error;
 use crate::configuration::Config;
 use crate::runs::Schedule;
 use crate::supervision::Forecast;
-use crate::supervision::forecast::{BYTES_OF_TEXT, TRIAL, compressed, spread};
+use crate::supervision::forecast::{in_parquet, in_text, time_of_all};
 use crate::supervision::tiled_run::threads;
-use rayon::prelude::*;
 use std::path::Path;
 use std::time::Instant;
 
@@ -51,7 +50,7 @@ pub fn dry_run(
         if rank > 0 {
             return Ok(None);
         }
-        let seconds = threads(count)?.install(|| seconds(&plan)) / size as f64;
+        let seconds = threads(count)?.install(|| seconds(&plan))? / size as f64;
         Ok(Some(Forecast { seconds: Some(seconds), ..forecast(&plan, out) }))
     });
     processes.conclude(tried)
@@ -62,8 +61,8 @@ pub(super) fn forecast(plan: &Plan, out: &Path) -> Forecast {
     let (members, steps) = (plan.members, plan.course.schedule.steps);
     let (axes, columns) = (plan.axes.len() as u64, plan.columns.len() as u64);
     let maps = heat_maps::size(plan).map_or(0, |_| columns);
-    let table = compressed(members * 8 * (1 + axes + columns));
-    let bytes = table + maps * (BYTES_OF_FRAMES + BYTES_OF_PIXEL * members);
+    let bytes = in_parquet(members * (1 + axes + columns))
+        + maps * (BYTES_OF_FRAMES + BYTES_OF_PIXEL * members);
     Forecast {
         out: out.into(),
         work: format!("{members} {} of {steps} steps", plan.nouns()),
@@ -72,29 +71,20 @@ pub(super) fn forecast(plan: &Plan, out: &Path) -> Forecast {
         rows: members,
         bytes,
         // Until the table is complete there are the tiles besides it, in text.
-        room: bytes + members * BYTES_OF_TEXT * columns,
-        seconds: None,
-        is_device: false,
+        room: bytes + in_text(members * columns),
+        ..Forecast::default()
     }
 }
 
-/// Follows members from all over the sweep, for some of their steps, and returns the time that all would take, s.
-fn seconds(plan: &Plan) -> f64 {
+/// Returns the time that all members would take, s, estimated from the first steps of some.
+fn seconds(plan: &Plan) -> Result<f64, Error> {
     let Schedule { step, steps } = plan.course.schedule;
-    let schedule = Schedule { steps: steps.min(MOST_STEPS), step };
     let mut shortened = plan.clone();
-    shortened.course.schedule = schedule;
-    let group = 4 * rayon::current_num_threads() as u64;
-    let (begun, mut followed) = (Instant::now(), 0);
-    while followed == 0 || begun.elapsed() < TRIAL {
-        (followed..followed + group).into_par_iter().for_each(|n| {
-            std::hint::black_box(measure(&shortened, spread(n, plan.members)));
-        });
-        followed += group;
-    }
-    let threads = rayon::current_num_threads() as u64;
-    // Few members leave threads without work.
-    let waste = threads as f64 / threads.min(plan.members) as f64;
-    let tried = (followed * schedule.steps) as f64;
-    begun.elapsed().as_secs_f64() / tried * (plan.members as f64 * steps as f64) * waste
+    shortened.course.schedule = Schedule { steps: steps.min(MOST_STEPS), step };
+    let parts = steps as f64 / steps.min(MOST_STEPS) as f64;
+    time_of_all(plan.members, |number| {
+        let begun = Instant::now();
+        std::hint::black_box(measure(&shortened, number));
+        Ok(begun.elapsed().as_secs_f64() * parts)
+    })
 }
