@@ -89,7 +89,8 @@ impl Config {
         let method = integration.method()?;
         let OutputConfig { every, attitude } = self.output;
         if every == 0 {
-            return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
+            let (name, range) = ("output.every", "at least 1");
+            return Err(Error::OutOfRange { name, range, value: 0.0 });
         }
         if attitude && formulation == Formulation::Direct {
             return Err(lie_poisson_runs::RunFailure::NoAttitude { formulation }.into());
@@ -144,7 +145,8 @@ impl Config {
             return Err(SystemTableError::NoAttitude.into());
         }
         if self.output.every == 0 {
-            return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
+            let (name, range) = ("output.every", "at least 1");
+            return Err(Error::OutOfRange { name, range, value: 0.0 });
         }
         system.experiment(self.integrator, self.output.every).map(Some)
     }
@@ -198,7 +200,7 @@ impl Config {
         if let (Some(axis), Some(velocity)) = (top.rod_axis(), self.initial.angular_velocity) {
             let velocity = axes.to_principal(&velocity.into());
             if velocity[axis].abs() > ROUNDING * velocity.amax() {
-                let (name, range) = ("angular_velocity", "at right angles to a thin rod");
+                let (name, range) = ("initial.angular_velocity", "at right angles to a thin rod");
                 return Err(Error::OutOfRange { name, range, value: velocity[axis] });
             }
         }

@@ -10,9 +10,11 @@ use momentum_map::LiftError;
 impl From<MethodError> for Error {
     fn from(error: MethodError) -> Self {
         match error {
-            MethodError::Tolerance { value } => {
-                Self::OutOfRange { name: "tolerance", range: "finite and not negative", value }
-            }
+            MethodError::Tolerance { value } => Self::OutOfRange {
+                name: "integrator.tolerance",
+                range: "finite and not negative",
+                value,
+            },
             error => Self::Method(error),
         }
     }
@@ -25,10 +27,11 @@ impl From<RunFailure> for Error {
             RunFailure::Method(error) => error.into(),
             RunFailure::System(error) => (*error).into(),
             RunFailure::NoDirection { name, value } => {
+                let name = if name == "end" { "integrator.end" } else { "integrator.step" };
                 Self::OutOfRange { name, range: "finite and different from 0", value }
             }
             RunFailure::EarlyEnd { end: value } => {
-                Self::OutOfRange { name: "end", range: "finite and more than 10", value }
+                Self::OutOfRange { name: "integrator.end", range: "finite and more than 10", value }
             }
             RunFailure::Tangent(error) => Self::Tangent(error),
             RunFailure::Top(error) => Self::Spin(error),

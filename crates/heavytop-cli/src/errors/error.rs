@@ -156,14 +156,22 @@ pub enum Error {
     #[error(transparent)]
     Run(lie_poisson_runs::RunFailure),
     /// A number is out of its range.
-    #[error("{name} must be {range}, got {}", number(*value))]
+    #[error("{} must be {range}, got {}", without_table(name), number(*value))]
     OutOfRange {
-        /// The name of the number.
+        /// The key of the number in the configuration with its table, such as `output.every`, or the name of an argument.
         name: &'static str,
         /// The range of allowed values, in words.
         range: &'static str,
         /// The value of the number.
         value: f64,
+    },
+    /// A section would have too many points.
+    #[error("starts × crossings must be at most {most:e}, got {}", number(*points))]
+    TooManyPoints {
+        /// The number of points.
+        points: f64,
+        /// The largest number of points allowed.
+        most: f64,
     },
     /// The ending of the output's name stands for no format.
     #[error("cannot write {}: the name must end in .csv, .npz or .parquet", path.display())]
@@ -356,6 +364,11 @@ impl Error {
             other => other,
         }
     }
+}
+
+/// Returns the name of a number without the table of the configuration that has it.
+fn without_table(name: &str) -> &str {
+    name.rsplit('.').next().unwrap_or(name)
 }
 
 /// Returns the end of a message, which names the argument that resumes the run.

@@ -12,23 +12,6 @@ use lie_poisson_runs::RunFailure;
 /// A key that may be at fault, and what to write there.
 pub(super) type Repair = (String, String);
 
-/// The keys of the numbers that [`Error::OutOfRange`] names.
-const KEYS: [(&str, &str); 13] = [
-    ("angular_momentum", "initial.angular_momentum"),
-    ("angular_velocity", "initial.angular_velocity"),
-    ("inclination", "initial.inclination"),
-    ("azimuth", "initial.azimuth"),
-    ("every", "output.every"),
-    ("step", "integrator.step"),
-    ("end", "integrator.end"),
-    ("tolerance", "integrator.tolerance"),
-    ("longest", "section.longest"),
-    ("starts", "section.starts"),
-    ("crossings", "section.crossings"),
-    ("starts × crossings", "section.starts"),
-    ("starts × crossings", "section.crossings"),
-];
-
 /// Returns the keys to which the refusal refers, the likeliest first, each with a repair.
 pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
     let repair = |key: &str, note: String| (key.to_string(), note);
@@ -45,11 +28,10 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
         Error::Vertical(top) => vec![of_vector("initial", top, config.initial.direction())],
         Error::Start(_) if config.system.is_some() => vec![repair("system.initial", String::new())],
         Error::AzimuthAlone => vec![repair("initial.azimuth", "write both".into())],
-        Error::OutOfRange { name, range, .. } => KEYS
-            .iter()
-            .filter(|(known, _)| known == name)
-            .map(|(_, key)| repair(key, format!("must be {range}")))
-            .collect(),
+        Error::OutOfRange { name, range, .. } => vec![repair(name, format!("must be {range}"))],
+        Error::TooManyPoints { .. } => ["section.starts", "section.crossings"]
+            .map(|key| repair(key, "write less".into()))
+            .to_vec(),
         Error::Run(RunFailure::BrokenStep { before, after, .. }) => {
             let ends = [*before, *after].into_iter().filter(|end| *end != 0.0).map(number);
             let ends = ends.collect::<Vec<_>>().join(" or ");

@@ -51,7 +51,7 @@ impl Settings {
         // The starts are followed as far as `longest` says, and the end says in which direction.
         let step = directed_step(step, end)?;
         if !(longest > 0.0 && longest.is_finite()) {
-            let (name, range) = ("longest", "positive and finite");
+            let (name, range) = ("section.longest", "positive and finite");
             return Err(Error::OutOfRange { name, range, value: longest });
         }
         problem.require_step(step)?;
@@ -62,15 +62,14 @@ impl Settings {
         let given = u32::try_from(settings.states.len()).unwrap_or(u32::MAX);
         let starts = if given > 0 { given } else { settings.starts };
         let (crossings, seed) = (settings.crossings, settings.seed);
-        for (name, value) in [("starts", starts), ("crossings", crossings)] {
+        for (name, value) in [("section.starts", starts), ("section.crossings", crossings)] {
             if value == 0 {
                 return Err(Error::OutOfRange { name, range: "at least 1", value: 0.0 });
             }
         }
         let points = f64::from(starts) * f64::from(crossings);
         if points > MOST_POINTS {
-            let (name, range) = ("starts × crossings", "at most 1e7");
-            return Err(Error::OutOfRange { name, range, value: points });
+            return Err(Error::TooManyPoints { points, most: MOST_POINTS });
         }
         let (starts, crossings, steps) = (starts as usize, crossings as usize, steps as usize);
         let limits = Limits { step, longest, steps, crossings, starts, seed };

@@ -131,9 +131,10 @@ impl InitialConfig {
         if self.azimuth.is_some() && self.inclination.is_none() {
             return Err(Error::AzimuthAlone);
         }
-        for (name, limits, angle) in
-            [("inclination", INCLINATION, self.inclination), ("azimuth", AZIMUTH, self.azimuth)]
-        {
+        for (name, limits, angle) in [
+            ("initial.inclination", INCLINATION, self.inclination),
+            ("initial.azimuth", AZIMUTH, self.azimuth),
+        ] {
             if let Some(value) = angle.filter(|angle| !limits.contains(*angle)) {
                 return Err(Error::OutOfRange { name, range: limits.range, value });
             }
@@ -141,8 +142,8 @@ impl InitialConfig {
         let vertical = Vector3::from(self.direction());
         require_unit("vertical", &vertical).map_err(Error::Vertical)?;
         let (name, momentum) = match self.angular_velocity {
-            Some(velocity) => ("angular_velocity", body.angular_momentum(velocity)),
-            None => ("angular_momentum", self.angular_momentum),
+            Some(velocity) => ("initial.angular_velocity", body.angular_momentum(velocity)),
+            None => ("initial.angular_momentum", self.angular_momentum),
         };
         finite(name, &momentum)?;
         Ok(Se3Dual::new(momentum.into(), vertical))

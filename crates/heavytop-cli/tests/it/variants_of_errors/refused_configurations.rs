@@ -49,8 +49,9 @@ const SYSTEMS: [(&str, &str); 8] = [
 ];
 
 /// Configurations of sections, and below them those of a system.
-const SECTIONS: [(&str, &str); 5] = [
+const SECTIONS: [(&str, &str); 6] = [
     ("Error::Section", "section.energy = -100"),
+    ("Error::TooManyPoints", "section = { starts = 100000, crossings = 100000 }"),
     ("Error::UnknownSurface", "section.surface = 'Pi9'"),
     ("Error::SectionKey", "section.axes = ['Pi1', 'Pi2']"),
     ("Error::Crossing", FAILING),
