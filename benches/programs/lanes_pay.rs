@@ -9,7 +9,7 @@
 //! sides slower, and more rounds reduce its effect. Rounds are added until every path pays, [`MOST_ROUNDS`] at most.
 
 use collective_integrators::{
-    AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, Laned, LanedOver, LiftFree,
+    AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, Laned, LiftFree,
     RungeKutta, Start, Substeps,
 };
 use heavytop::{
@@ -67,6 +67,23 @@ impl Path {
             failure
         };
         Self { name, run: Box::new(run), best: Duration::MAX }
+    }
+
+    /// Creates a path that makes the steps of one member after the other, over `f64`.
+    fn one_by_one<I>(integrator: I, members: &[I::State], step: f64, steps: u64) -> Self
+    where
+        I: Integrator<f64, State: 'static, Workspace: 'static> + 'static,
+    {
+        let (members, mut workspace) = (members.to_vec(), integrator.workspace());
+        let run = move || {
+            let mut ends = black_box(members.clone());
+            for end in &mut ends {
+                integrator.advance(end, step, 0..steps, &mut workspace)?;
+            }
+            black_box(ends);
+            Ok(())
+        };
+        Self { name: "f64".to_owned(), run: Box::new(run), best: Duration::MAX }
     }
 
     fn time(&mut self) -> Result<(), IntegrationError> {
@@ -142,8 +159,7 @@ fn midpoint(top: HeavyTop) -> Result<[Method; 2], Box<dyn Error>> {
     let states: Vec<_> = (0..COUNT).map(start).collect();
     let rule = |set| TopMidpoint::new(top).with_instructions(set);
     let single = || -> Result<Path, Box<dyn Error>> {
-        let one_by_one = LanedOver::<_, f64>::new(rule(InstructionSet::Portable)?);
-        Ok(Path::new("f64".to_owned(), one_by_one, &states, step, steps))
+        Ok(Path::one_by_one(rule(InstructionSet::Portable)?, &states, step, steps))
     };
     let mut one_system =
         Method { name: "TopMidpoint".to_owned(), single: single()?, lanes: vec![] };
@@ -162,14 +178,13 @@ fn stages(top: HeavyTop) -> Result<Method, Box<dyn Error>> {
     let (step, steps) = (0.25, 1000);
     let gauss = CollectiveGauss::new(8, top)?;
     let state = [gauss.start(&start(0))?];
-    let alone = LanedOver::<_, f64>::new(gauss.general().clone());
     let path = |set: InstructionSet| -> Result<Path, Box<dyn Error>> {
-        let gauss = LanedOver::<_, f64>::new(gauss.clone().with_instructions(set)?);
-        Ok(Path::new(set.to_string(), gauss, &state, step, steps))
+        let path = Path::one_by_one(gauss.clone().with_instructions(set)?, &state, step, steps);
+        Ok(Path { name: set.to_string(), ..path })
     };
     Ok(Method {
         name: "CollectiveGauss, 8 stages, one top".to_owned(),
-        single: Path::new("f64".to_owned(), alone, &state, step, steps),
+        single: Path::one_by_one(gauss.general().clone(), &state, step, steps),
         lanes: InstructionSet::available().map(path).collect::<Result<_, _>>()?,
     })
 }
@@ -186,14 +201,13 @@ where
     Laned<I>: BatchIntegrator<Member = Se3Dual>,
 {
     let states: Vec<_> = (0..COUNT).map(start).collect();
-    let single = LanedOver::<_, f64>::new(integrator.clone());
     let path = |set: InstructionSet| {
         let lanes = Laned::new(integrator.clone()).with_instructions(set)?;
         Ok(Path::new(set.to_string(), lanes, &states, step, steps))
     };
     Ok(Method {
         name: format!("Laned, {name}"),
-        single: Path::new("f64".to_owned(), single, &states, step, steps),
+        single: Path::one_by_one(integrator.clone(), &states, step, steps),
         lanes: InstructionSet::available().map(path).collect::<Result<_, _>>()?,
     })
 }

@@ -118,7 +118,6 @@ pub use batch::ensemble::{Chunk, Ensemble, MemberError};
 pub use batch::group_engine::MOST_LANES;
 pub use batch::lane_kernel::{LaneKernel, LaneResults, Registers};
 pub use batch::laned::{Laned, LanedSpace};
-pub use batch::laned_over::LanedOver;
 pub use chaos::generic_tangent::generic_tangent;
 pub use chaos::lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};
 pub use chaos::megno::Megno;

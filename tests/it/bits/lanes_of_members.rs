@@ -2,13 +2,14 @@
 
 use collective_integrators::{
     Alternating, BatchIntegrator, CHECKPOINT, Collective, Compensated, Composition, Direct,
-    HamiltonianField, IntegrationError, Integrator, Laned, LanedOver, LiftFree,
-    PartitionedRungeKutta, RungeKutta, StageSolver, Start, Substeps, VectorField,
+    HamiltonianField, IntegrationError, Integrator, LaneKernel, LaneResults, Laned, LiftFree,
+    PartitionedRungeKutta, Registers, RungeKutta, StageSolver, Start, Substeps, VectorField,
 };
+use core::ops::Range;
 use heavytop::{HeavyTop, HeavyTopSpace, ReducedMidpoint, SpinorRealisation};
 use lie_poisson::{
-    Automatic, Covector, Energy, InstructionSet, LaneTask, Lanes, LiePoisson, Pair, Real, Se3,
-    Se3Dual, Vector, Width, dispatch,
+    Automatic, Covector, Energy, InstructionSet, Lanes, LiePoisson, Pair, Real, Se3, Se3Dual,
+    Vector, Width,
 };
 use momentum_map::DualQuaternions;
 use nalgebra::Vector1;
@@ -38,33 +39,46 @@ type Ends = (Vec<Vec<u64>>, Failures);
 /// Makes the steps of all members, on an instruction set.
 type Advance<'a, M> = dyn Fn(InstructionSet, &[M]) -> Ends + 'a;
 
-/// Returns the bits of all members after some steps over the SIMD lanes T, and which member failed at which step.
-fn advanced<I, T>(integrator: I, members: &[State<I>], h: f64, n: u64) -> Ends
+/// Makes some steps of a group of members in the SIMD lanes of T, and returns which of them have a result.
+fn together<I, T>(integrator: &I, group: &mut [State<I>], h: f64, n: u64) -> LaneResults
 where
-    I: Integrator<f64, State: Vector> + Integrator<T, State: Vector> + Sync,
+    I: Integrator<f64, State: Vector> + Integrator<T, State: Vector>,
     T: Lanes,
 {
-    ends(&LanedOver::<I, T>::new(integrator), members, h, n)
+    let last = group.len() - 1;
+    let mut state = <I as Integrator<T>>::State::from_coordinates(|i| {
+        T::from_lanes(|lane| group[lane.min(last)].coordinate(i))
+    });
+    let mut workspace = Integrator::<T>::workspace(integrator);
+    if Integrator::<T>::advance(integrator, &mut state, h, 0..n, &mut workspace).is_err() {
+        return LaneResults::default();
+    }
+    for (lane, member) in group.iter_mut().enumerate() {
+        *member = Vector::from_coordinates(|i| state.coordinate(i).lane(lane));
+    }
+    std::array::from_fn(|lane| lane <= last)
 }
 
-/// Returns the same in the registers of an instruction set.
+/// Returns the bits of all members after some steps in the registers of an instruction set, and which member failed at
+/// which step.
 fn in_registers<I>(integrator: I, set: InstructionSet, members: &[State<I>], h: f64, n: u64) -> Ends
 where
     I: Integrator<f64, State: Vector>,
     Laned<I>: BatchIntegrator<Member = State<I>>,
 {
-    ends(&Laned::new(integrator).with_instructions(set).unwrap(), members, h, n)
+    let batch = Laned::new(integrator).with_instructions(set).unwrap();
+    ends(members, |members, failed| batch.advance(members, h, 0..n, &mut batch.workspace(), failed))
 }
 
-fn ends<B>(batch: &B, members: &[B::Member], h: f64, n: u64) -> Ends
-where
-    B: BatchIntegrator<Member: Vector<Scalar = f64>>,
-{
+fn ends<V: Vector<Scalar = f64>>(
+    members: &[V],
+    advance: impl FnOnce(&mut [V], &mut dyn FnMut(usize, IntegrationError)),
+) -> Ends {
     let (mut members, mut failures) = (members.to_vec(), Vec::new());
     let mut failed = |i, error: IntegrationError| {
         failures.push((i, error.step));
     };
-    batch.advance(&mut members, h, 0..n, &mut batch.workspace(), &mut failed);
+    advance(&mut members, &mut failed);
     failures.sort_unstable();
     (members.iter().map(bits).collect(), failures)
 }
@@ -145,18 +159,30 @@ macro_rules! same_bits_at_every_width {
     ($($name:ident: $type:ty = $integrator:expr, $h:expr, $steps:expr, $differing:expr;)*) => {$(
         #[test]
         fn $name() {
-            struct Task<'a>(&'a $type, &'a [State<$type>]);
-            impl LaneTask for Task<'_> {
-                type Output = Ends;
-                fn run<T: Lanes>(self) -> Self::Output {
-                    advanced::<$type, T>(self.0.clone(), self.1, $h, $steps)
+            struct Kernel($type);
+            impl LaneKernel for Kernel {
+                type Member = State<$type>;
+                fn together<T: Lanes>(&self, group: &mut [Self::Member], h: f64, n: u64) -> LaneResults {
+                    together::<$type, T>(&self.0, group, h, n)
+                }
+                fn alone(
+                    &self,
+                    member: &mut Self::Member,
+                    h: f64,
+                    steps: Range<u64>,
+                ) -> Result<(), IntegrationError> {
+                    let mut workspace = Integrator::<f64>::workspace(&self.0);
+                    Integrator::<f64>::advance(&self.0, member, h, steps, &mut workspace).map(drop)
                 }
             }
-            let integrator: $type = $integrator;
+            let kernel = Kernel($integrator);
             let of_width = |width: Width| {
-                let integrator = &integrator;
+                let kernel = &kernel;
                 move |set: InstructionSet, members: &[State<$type>]| {
-                    dispatch(Task(integrator, members), set, width).unwrap()
+                    let registers = Registers::new(set, width).unwrap();
+                    ends(members, |members, failed| {
+                        registers.advance(kernel, members, $h, 0..$steps, failed);
+                    })
                 }
             };
             let widths = Width::ALL.map(of_width);
@@ -164,7 +190,7 @@ macro_rules! same_bits_at_every_width {
                 let other: &Advance<'_, State<$type>> = other;
                 other
             });
-            same_bits(&integrator, ($h, $steps, $differing), &others);
+            same_bits(&kernel.0, ($h, $steps, $differing), &others);
         }
     )*};
 }

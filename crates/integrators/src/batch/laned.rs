@@ -2,7 +2,6 @@
 
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
-use crate::batch::laned_over::IntegratorGroup;
 use crate::{BatchIntegrator, IntegrationError, Integrator, StepError};
 use core::ops::Range;
 use lie_poisson::{
@@ -182,46 +181,43 @@ struct LaneGroup<'a, I: Integrator<f64> + Integrator<DefaultLanes> + Integrator<
     repeats: &'a mut Repeats<I>,
 }
 
-impl<I, T> LaneGroup<'_, I, T>
+/// Makes the steps of a block with all members, each in a lane. If a step fails in some lane, no member is changed.
+#[inline(always)]
+fn steps<I, T>(
+    integrator: &I,
+    workspace: &mut <I as Integrator<T>>::Workspace,
+    group: &mut [<I as Integrator<f64>>::State],
+    step: f64,
+    count: u64,
+) -> Result<(), StepError>
 where
-    I: Integrator<f64, State: Vector>
-        + Integrator<DefaultLanes, State: Vector>
-        + Integrator<T, State: Vector>,
+    I: Integrator<f64, State: Vector> + Integrator<T, State: Vector>,
     T: Lanes,
 {
-    /// Makes the steps of a block with all members. If a step fails in some lane, no member is changed.
-    #[inline(always)]
-    fn steps(
-        &mut self,
-        group: &mut [<I as Integrator<f64>>::State],
-        step: f64,
-        count: u64,
-    ) -> Result<(), StepError> {
-        let Some(last) = group.len().checked_sub(1) else { return Ok(()) };
-        for member in group.iter() {
-            StepError::check_start(member, step)?;
-        }
-        let mut state = <I as Integrator<T>>::State::from_coordinates(
-            #[inline(always)]
-            |i| {
-                T::from_lanes(
-                    #[inline(always)]
-                    |lane| group[lane.min(last)].coordinate(i),
-                )
-            },
-        );
-        Integrator::<T>::forget(self.integrator, self.workspace);
-        for _ in 0..count {
-            state = Integrator::<T>::step(self.integrator, &state, step, self.workspace)?.point;
-        }
-        for (lane, member) in group.iter_mut().enumerate() {
-            *member = Vector::from_coordinates(
-                #[inline(always)]
-                |i| state.coordinate(i).lane(lane),
-            );
-        }
-        Ok(())
+    let Some(last) = group.len().checked_sub(1) else { return Ok(()) };
+    for member in group.iter() {
+        StepError::check_start(member, step)?;
     }
+    let mut state = <I as Integrator<T>>::State::from_coordinates(
+        #[inline(always)]
+        |i| {
+            T::from_lanes(
+                #[inline(always)]
+                |lane| group[lane.min(last)].coordinate(i),
+            )
+        },
+    );
+    Integrator::<T>::forget(integrator, workspace);
+    for _ in 0..count {
+        state = Integrator::<T>::step(integrator, &state, step, workspace)?.point;
+    }
+    for (lane, member) in group.iter_mut().enumerate() {
+        *member = Vector::from_coordinates(
+            #[inline(always)]
+            |i| state.coordinate(i).lane(lane),
+        );
+    }
+    Ok(())
 }
 
 impl<I, T> Group for LaneGroup<'_, I, T>
@@ -240,7 +236,7 @@ where
 
     #[inline(always)]
     fn together(&mut self, group: &mut [Self::Member], step: f64, count: u64) -> LaneResults {
-        match self.steps(group, step, count) {
+        match steps::<I, T>(self.integrator, self.workspace, group, step, count) {
             Ok(()) => core::array::from_fn(|lane| lane < group.len()),
             Err(_) if T::HAS_SLOW_PATHS => LaneResults::default(),
             Err(_) => self.repeats.four_at_a_time(self.integrator, group, step, count),
@@ -280,12 +276,12 @@ where
     ) -> LaneResults {
         let workspace =
             self.four.get_or_insert_with(|| Integrator::<DefaultLanes>::workspace(integrator));
-        let mut four = IntegratorGroup::<I, DefaultLanes> { integrator, workspace };
         let mut results = LaneResults::default();
         let width = DefaultLanes::COUNT;
         for (members, results) in group.chunks_mut(width).zip(results.chunks_mut(width)) {
-            let found = four.together(members, step, count);
-            results.iter_mut().zip(found).for_each(|(result, found)| *result = found);
+            results.fill(
+                steps::<I, DefaultLanes>(integrator, workspace, members, step, count).is_ok(),
+            );
         }
         results
     }

@@ -3,6 +3,5 @@
 pub(crate) mod batch_integrator;
 pub(crate) mod group_engine;
 pub(crate) mod lane_kernel;
-pub(crate) mod laned_over;
 pub(crate) mod laned;
 pub(crate) mod ensemble;
