@@ -50,6 +50,7 @@ fn kernels_are_run_by_the_same_call() {
 }
 
 #[test]
+#[ignore = "long"]
 fn threads_do_not_matter() {
     let members = momenta(5000);
     let ensemble = Ensemble::new(Laned::new(ReducedMidpoint::new(top())));
@@ -151,6 +152,7 @@ impl Energy for Anisotropic {
 }
 
 #[test]
+#[ignore = "long"]
 fn any_collective_system_gets_lanes_and_threads() {
     let particle = Collective::new(gauss(2), AngularMomentum, Automatic(Anisotropic));
     let start = |index: u64| {

@@ -225,7 +225,7 @@ same_bits_at_every_width! {
         Direct::new(RungeKutta::rk4(), equations()), 0.02, 100, false;
     midpoint_steps_beyond_a_checkpoint: Lifted<RungeKutta> =
         lifted(RungeKutta::implicit_midpoint()), 0.05, CHECKPOINT + 30, true;
-    gauss_steps: Lifted<RungeKutta> = lifted(gauss(4)), 0.2, 300, true;
+    gauss_steps: Lifted<RungeKutta> = lifted(gauss(4)), 0.2, 100, true;
     // Newton's iteration takes over in some lanes, with exact derivatives and with quotients.
     large_direct_steps: Direct<RungeKutta, Equations> =
         Direct::new(gauss(2), equations()), 0.6, 20, true;

@@ -71,6 +71,7 @@ fn matrices(body: &GeneralisedRigidBody) -> [LargeSkewHermitian; 2] {
 }
 
 #[test]
+#[ignore = "long"]
 fn integrators_of_matrices() -> Outcome {
     let body = GeneralisedRigidBody::new((1..=6).map(f64::from).collect())?;
     let momenta = matrices(&body);

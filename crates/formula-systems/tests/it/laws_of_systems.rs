@@ -133,6 +133,7 @@ impl DimensionTask for Statics<'_> {
 }
 
 #[test]
+#[ignore = "long"]
 fn algebras_and_hamiltonians_of_any_dimension() {
     let dimensions = systems().into_iter().map(|system| {
         let dimension = system.algebra().dimension();

@@ -34,6 +34,7 @@ fn groups() {
 }
 
 #[test]
+#[ignore = "long"]
 fn representations_and_their_semidirect_products() {
     representation_laws(SO2OnR2);
     representation_laws(SO3OnR3);

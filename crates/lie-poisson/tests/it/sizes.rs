@@ -16,6 +16,7 @@ fn with_casimirs<A: Casimirs>(algebra: &A) {
 }
 
 #[test]
+#[ignore = "long"]
 fn families_of_algebras() {
     with_casimirs(&RealSpace::<1>);
     with_casimirs(&RealSpace::<20>);
@@ -148,6 +149,7 @@ fn products_and_powers_of_poisson_spaces() {
 
 /// Every coordinate of a large family counts: the suites see a wrong one among 18.
 #[test]
+#[ignore = "long"]
 fn one_wrong_coordinate_among_many_is_seen() {
     #[derive(Clone)]
     struct Spoilt;

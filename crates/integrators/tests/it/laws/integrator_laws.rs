@@ -70,6 +70,7 @@ fn the_generic_system_of_the_suites_obeys_those_of_hamiltonians() {
 }
 
 #[test]
+#[ignore = "long"]
 fn schemes_of_high_order_obey_their_laws() {
     for stages in 4..=8 {
         laws::scheme(&RungeKutta::gauss(stages).unwrap()).check(ROUND_OFF).unwrap();

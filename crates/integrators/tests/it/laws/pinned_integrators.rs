@@ -88,6 +88,7 @@ impl Energy for Screw {
 }
 
 #[test]
+#[ignore = "long"]
 fn collective_integrators_stay_when_they_are_pinned() {
     let gauss = || RungeKutta::gauss(2).unwrap();
     let (q, p) = (Vector3::new(0.3, -1.0, 0.7), Vector3::new(0.9, 0.4, -0.5));

@@ -54,6 +54,7 @@ fn check<I: Start<Momentum = Momentum>>(integrator: &I, expects_rounding: bool) 
 }
 
 #[test]
+#[ignore = "long"]
 fn the_first_sample_and_events_have_the_bits_of_the_start() {
     let h = || {
         from_closure::<LiePoisson<So3>, _>(|Covector(pi)| {

@@ -26,6 +26,7 @@ fn compositions_of_the_midpoint_rule_keep_their_promises() {
 }
 
 #[test]
+#[ignore = "long"]
 fn other_bases_are_raised_by_two() {
     let gauss = Composition::new(RungeKutta::gauss(2).unwrap(), Substeps::triple_jump(4).unwrap());
     assert_eq!(gauss.order(), 6);

@@ -139,6 +139,7 @@ impl SitesHamiltonian<Wrench> for Bodies {
 
 /// The points are kept near to the origins of their fibres, along which they would run away.
 #[test]
+#[ignore = "long"]
 fn points_stay_near_the_origins_of_their_fibres() {
     let gauss = CollectiveSites::new(RungeKutta::gauss(2).unwrap(), PARTICLE, Bodies);
     let z: Sites<_> =

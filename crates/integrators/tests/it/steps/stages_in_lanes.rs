@@ -98,6 +98,7 @@ fn methods_without_stages_to_put_side_by_side_keep_their_bits() {
 }
 
 #[test]
+#[ignore = "long"]
 fn the_laws_of_integrators_hold() {
     let gauss = || RungeKutta::gauss(4).unwrap();
     let composed = || Composition::new(RungeKutta::gauss(2).unwrap(), Substeps::yoshida4());
@@ -125,6 +126,7 @@ fn the_laws_of_integrators_hold() {
 /// The compensated integrator conserves the Casimir |Π|² by a random walk of roundings of the increments, which are h|Ω|
 /// times as large as those of the state; the integrator alone by one of the roundings of the state.
 #[test]
+#[ignore = "long"]
 fn casimirs_are_conserved_over_long_runs() {
     let collective = Collective::new(RungeKutta::gauss(4).unwrap(), HOPF, Automatic(Body));
     let mu = momenta()[1];
