@@ -18,15 +18,15 @@ pub enum FormulaSystemError {
         names: Vec<&'static str>,
     },
     /// There is no system of this name.
-    #[error("there is no system {name}; there are {}", names.join(", "))]
+    #[error("there is no system {name}; there are {}", kinds.join(", "))]
     NoKind {
         /// The name that no system has.
         name: String,
-        /// The names of all systems.
-        names: Vec<&'static str>,
+        /// The names of all systems, and what they are.
+        kinds: Vec<String>,
     },
     /// A parameter of a system by name is missing, has another number of components, or is none of its parameters.
-    #[error("{name} is wrong or missing: {kind} has the parameters {}", has.join(", "))]
+    #[error("{name} is wrong, missing or none of its parameters: {kind} has {}", has.join(", "))]
     KindParameter {
         /// The name of the system.
         kind: &'static str,

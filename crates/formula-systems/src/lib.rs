@@ -33,7 +33,7 @@
 //! | a Hamiltonian on it as text, and the Casimirs | [`FormulaSystem`] |
 //! | a system by name, or to add one | [`SystemKind`] |
 //! | the formulations that an algebra has, a method of one | [`SystemAlgebra::formulations`], [`SystemAlgebra::method`] |
-//! | the integrator of a [`Method`](heavytop::methods::Method) by name | [`FormulaSystem::integrator`] |
+//! | the integrator of a [`Method`](heavytop::methods::Method) by name | [`FormulaSystem::tangent_integrator`] |
 //! | a Poincaré section on a level set of h and the Casimirs | [`SystemSection`] |
 //! | the reason why something is rejected | [`FormulaSystemError`], [`StructureTableError`] |
 //!

@@ -31,6 +31,12 @@ pub enum RunFailure {
         /// The formulation that was asked for.
         formulation: Formulation,
     },
+    /// The system is no body that has an attitude.
+    #[error("a system on the dual of {algebra} has no attitude")]
+    NoBody {
+        /// The name of the algebra.
+        algebra: String,
+    },
     /// A saved state does not fit the integrator of the run.
     #[error("the saved state has {found} numbers, that of the integrator {expected}")]
     SavedState {
@@ -106,7 +112,7 @@ pub enum RunFailure {
         /// The step, the time and the reason.
         reason: IntegrationError,
     },
-    /// A conserved quantity has no finite value during the run.
+    /// A conserved quantity has no finite value at a moment of the run.
     #[error("at t = {time}: {reason}")]
     NoValue {
         /// The time, s.

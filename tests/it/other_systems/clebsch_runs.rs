@@ -192,7 +192,7 @@ impl Check for Guarded {
         let system = FormulaSystem::new(algebra, &hamiltonian, &Parameters::new()).unwrap();
         let system = system.with_found_casimirs().unwrap();
         for start in samples::<Momentum<N>>(3) {
-            let integrator = system.integrator(&method, start.0.as_slice()).unwrap();
+            let integrator = system.tangent_integrator(&method, start.0.as_slice()).unwrap();
             let run = integrator.after(&AnyState::of(&start), 0.1, 100).map(drop);
             run.unwrap_or_else(|error| panic!("{}, {}: {error}", entry.name, start.0));
         }

@@ -45,7 +45,7 @@ proptest! {
     }
 }
 
-/// Every system of the catalogue says what its parameters are, conserves what it is told to, and has a name of its own.
+/// Every system of the catalogue has a name of its own and all of its Casimirs, and says what its parameters are.
 #[test]
 fn systems_of_the_catalogue_are_what_they_say() {
     for kind in SystemKind::ALL {

@@ -82,7 +82,7 @@ fn measured(formulation: Formulation, units: Units) -> Outcome<Vec<f64>> {
         _ => SchemeName::Rk4,
     };
     let method = system.algebra().method(formulation, scheme, 0.0)?;
-    let (integrator, order) = (system.integrator(&method, &start)?, scheme.order());
+    let (integrator, order) = (system.tangent_integrator(&method, &start)?, scheme.order());
     let mut found = run(&integrator, &system, &start, step)?;
     let (integrator, steps) = (integrator.without_tangents(), (step, 40));
     let accuracy = run_accuracy(&integrator, &system, &start, steps, order, &|| true);

@@ -15,7 +15,7 @@ impl SystemKind {
     pub fn named(name: &str) -> Result<&'static Self, FormulaSystemError> {
         Self::ALL.iter().find(|kind| kind.name == name).ok_or_else(|| FormulaSystemError::NoKind {
             name: name.to_owned(),
-            names: Self::ALL.iter().map(|kind| kind.name).collect(),
+            kinds: Self::ALL.iter().map(|kind| format!("{} ({})", kind.name, kind.about)).collect(),
         })
     }
 }

@@ -51,10 +51,9 @@ impl SystemKind {
     /// Returns the system with these parameters, and its Casimirs.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::KindParameter`] if a parameter is missing, has another number of components, or is none
-    /// of the system, and [`FormulaSystemError::Parameters`] if it has the name of a coordinate.
+    /// Those of [`require_parameters`](Self::require_parameters).
     pub fn system(&self, parameters: &Parameters) -> Result<FormulaSystem, FormulaSystemError> {
-        self.require(parameters)?;
+        self.require_parameters(parameters)?;
         let algebra = self.algebra()?;
         FormulaSystem::new(algebra, self.hamiltonian, parameters)?.with_found_casimirs()
     }
@@ -73,7 +72,11 @@ impl SystemKind {
     }
 
     /// Checks that the parameters are those of the system.
-    fn require(&self, parameters: &Parameters) -> Result<(), FormulaSystemError> {
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::KindParameter`] if a parameter is missing, has another number of components, or is none
+    /// of the system.
+    pub fn require_parameters(&self, parameters: &Parameters) -> Result<(), FormulaSystemError> {
         let wrong = |name: &str| FormulaSystemError::KindParameter {
             kind: self.name,
             name: name.to_owned(),

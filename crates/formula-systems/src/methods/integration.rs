@@ -99,7 +99,7 @@ impl Integration<'_> {
         InvariantGuard::new(integrator, order, self.table::<N>()?, invariants)
     }
 
-    /// Returns whether the steps of affine schemes descend to 𝔤∗ along the map that [`perform`](Self::perform) uses.
+    /// Returns whether the steps of affine schemes descend to 𝔤∗ along the map that [`clebsch`](Self::clebsch) uses.
     pub(super) fn descends(&self) -> Result<bool, FormulaSystemError> {
         if self.method.formulation() != Formulation::Collective {
             return Ok(true);

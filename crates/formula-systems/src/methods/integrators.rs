@@ -1,4 +1,4 @@
-//! The integrators of a system: [`FormulaSystem::integrator`].
+//! The integrators of a system: [`FormulaSystem::tangent_integrator`].
 
 use super::integration::Integration;
 use crate::{FormulaSystem, FormulaSystemError};
@@ -27,7 +27,7 @@ impl FormulaSystem {
     /// let body = body.with_found_casimirs()?;
     /// let start = [1.0, 2.0, 0.5];
     /// let drift = |formulation, scheme| -> Result<f64, Box<dyn std::error::Error>> {
-    ///     let integrator = body.integrator(&body.algebra().method(formulation, scheme, 0.0)?, &start)?;
+    ///     let integrator = body.tangent_integrator(&body.algebra().method(formulation, scheme, 0.0)?, &start)?;
     ///     let end = integrator.after(&AnyState::from_slice(&start), 0.1, 100)?.momentum;
     ///     Ok((body.invariants(end.as_slice())?[1] - body.invariants(&start)?[1]).abs())
     /// };
@@ -35,7 +35,7 @@ impl FormulaSystem {
     /// assert!(drift(Formulation::Direct, SchemeName::Rk4)? > 1e-8);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn integrator(
+    pub fn tangent_integrator(
         &self,
         method: &Method,
         start: &[f64],
@@ -48,7 +48,7 @@ impl FormulaSystem {
     /// not Poisson maps, and the Casimirs are conserved only to the order of the scheme.
     ///
     /// # Errors
-    /// Returns the errors of [`integrator`](Self::integrator).
+    /// Returns the errors of [`tangent_integrator`](Self::tangent_integrator).
     ///
     /// # Example
     /// ```

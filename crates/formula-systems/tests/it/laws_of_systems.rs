@@ -145,7 +145,7 @@ fn algebras_and_hamiltonians_of_any_dimension() {
 
 /// Runs the suites of an integrator.
 fn dynamics(what: &str, method: &Method, system: &FormulaSystem, start: &[f64]) {
-    let integrator = &system.integrator(method, start).unwrap().without_tangents();
+    let integrator = &system.tangent_integrator(method, start).unwrap().without_tangents();
     let mu = [AnyState::from_slice(start)];
     obeys(what, integrator, ("step", 0), ROUND_OFF, |i| laws::start(i, &mu, STEP));
     let state = [integrator.start(&mu[0]).unwrap()];

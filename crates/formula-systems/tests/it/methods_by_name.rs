@@ -150,7 +150,9 @@ fn wrong_tolerances_states_and_algebras_are_refused() {
     }
     let method = so3.method(Formulation::Reduced, GAUSS, 0.0).unwrap();
     let start = [1.0, 0.0, 0.0, 0.0];
-    let run = |system: &FormulaSystem, start: &[f64]| system.integrator(&method, start).map(|_| ());
+    let run = |system: &FormulaSystem, start: &[f64]| {
+        system.tangent_integrator(&method, start).map(|_| ())
+    };
     let body = system(so3, "Pi1^2 + 2*Pi2^2");
     let error = run(&body, &start).unwrap_err();
     assert_eq!(error, FormulaSystemError::StateLength { expected: 3, found: 4 });

@@ -19,7 +19,7 @@ pub fn end(
     (step, steps): (f64, u64),
 ) -> Vec<f64> {
     let method = system.algebra().method(formulation, scheme, 0.0).unwrap();
-    let integrator = system.integrator(&method, start).unwrap();
+    let integrator = system.tangent_integrator(&method, start).unwrap();
     integrator
         .after(&AnyState::from_slice(start), step, steps)
         .unwrap()

@@ -34,8 +34,23 @@ impl SystemScales for HeavyTop {
 
     fn fastest_rate(&self, mu: &[f64]) -> f64 {
         let (pi, gamma) = (part(mu, 0), part(mu, 3));
-        let swing = (self.weight_moment() * gamma.norm() / kinetic(&self.inertia()).min()).sqrt();
+        let swing = (self.weight_moment() * gamma.norm() / self.least_moment()).sqrt();
         self.angular_velocity(&pi).norm() + swing
+    }
+}
+
+impl HeavyTop {
+    /// Returns the least principal moment, kg m²; that across it for a thin rod, which does not turn about itself.
+    ///
+    /// # Example
+    /// ```
+    /// use heavytop::HeavyTop;
+    /// assert_eq!(HeavyTop::kovalevskaya(1.0, 1.0)?.least_moment(), 1.0); // of (2, 2, 1)
+    /// # Ok::<(), heavytop::TopError>(())
+    /// ```
+    #[must_use]
+    pub fn least_moment(&self) -> f64 {
+        kinetic(&self.inertia()).min()
     }
 }
 

@@ -5,7 +5,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
-MethodNames = tuple[str, str, float]
+MethodNames = tuple[Optional[str], str, float]
 Setting = tuple[Sequence[float], float, MethodNames]
 Source = Union[str, Sequence[tuple[str, float, int, int, int]]]
 Event = tuple[Source, int, int]
@@ -83,8 +83,6 @@ AlgebraSource = Union[
     tuple[Union[str, list[str]], list[tuple[int, int, int, float]], int],
 ]
 Parameter = tuple[str, list[float], bool]
-SystemMethod = tuple[Optional[str], str, float]
-SystemSetting = tuple[Sequence[float], float, SystemMethod]
 
 def coordinate_groups(
     algebra: AlgebraSource, parameters: Sequence[Parameter]
@@ -106,20 +104,20 @@ class System:
     def rates(self, states: Floats) -> Floats: ...
     def fastest_rates(self, states: Floats) -> list[float]: ...
     def follow(
-        self, setting: SystemSetting, end: float, every: int, events: Sequence[Event]
+        self, setting: Setting, end: float, every: int, events: Sequence[Event]
     ) -> Recorded: ...
-    def accuracy(self, setting: SystemSetting, steps: int) -> Accuracy: ...
-    def check(self, setting: SystemSetting, steps: int) -> tuple[float, Optional[float]]: ...
-    def states_at(self, setting: SystemSetting, times: Sequence[float]) -> Floats: ...
+    def accuracy(self, setting: Setting, steps: int) -> Accuracy: ...
+    def check(self, setting: Setting, steps: int) -> tuple[float, Optional[float]]: ...
+    def states_at(self, setting: Setting, times: Sequence[float]) -> Floats: ...
 
 def advance_system(
-    system: System, states: Floats, step: float, end: float, method: SystemMethod
+    system: System, states: Floats, step: float, end: float, method: MethodNames
 ) -> tuple[Floats, list[tuple[int, str]]]: ...
 def growth_of_system(
     system: System,
     states: Floats,
     times: tuple[float, float, int],
-    method: SystemMethod,
+    method: MethodNames,
     tangents: str,
 ) -> Indicators: ...
 def advance_states(

@@ -37,9 +37,9 @@ class System(SystemDescription):
             the name of one vector, whose components they are.
         brackets: the brackets of the algebra that are not zero, such as `{("K", "H"): "P"}` for [K, H] = P. They are sums of
             multiples of coordinates, such as "2*x - a*y" with a parameter a.
+        structure_constants: instead of brackets, the array c of shape (d, d, d) with [e_i, e_j] = sum_k c[i, j, k] e_k.
         kind: instead of algebra and Hamiltonian, the name of a system of the library, such as "body-with-rotors"; its
             parameters go in `parameters`.
-        structure_constants: instead of brackets, the array c of shape (d, d, d) with [e_i, e_j] = sum_k c[i, j, k] e_k.
 
     Raises:
         ValueError: if the formula is none, with the place in its text; if the brackets break the Jacobi identity; if there

@@ -77,7 +77,7 @@ pub fn coordinate_groups(
 #[pyfunction]
 pub fn hamiltonian_of_kind(name: &str, arguments: Vec<ParameterArgument>) -> PyResult<String> {
     let kind = SystemKind::named(name).map_err(refused)?;
-    kind.system(&parameters(&arguments)?).map_err(refused)?;
+    kind.require_parameters(&parameters(&arguments)?).map_err(refused)?;
     Ok(kind.hamiltonian.into())
 }
 

@@ -70,7 +70,7 @@ impl Ends<'_> {
     /// Follows the starts by the integrator of the first.
     fn all(&self, method: &Method) -> Vec<End> {
         let first = self.starts.first().map(Vec::as_slice).unwrap_or_default();
-        match self.system.integrator(method, first) {
+        match self.system.tangent_integrator(method, first) {
             Ok(integrator) => {
                 let integrator = integrator.without_tangents();
                 self.starts.iter().map(|start| self.end(&integrator, start)).collect()

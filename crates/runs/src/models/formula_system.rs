@@ -30,7 +30,7 @@ impl Model for FormulaSystem {
         method: &Method,
         start: &[f64],
     ) -> Result<AnyIntegrator<dyn AnyTangents>, RunFailure> {
-        Ok(self.integrator(method, start)?)
+        Ok(self.tangent_integrator(method, start)?)
     }
 
     fn formula(&self, conserved: &str) -> Option<String> {

@@ -18,7 +18,8 @@ use lie_poisson_formula_systems::FormulaSystemError;
 /// momenta, as a top does in its principal axes: [`start`](Self::start) takes what is given, and
 /// [`present`](Self::present) makes what is read. Everything else is in the axes of the computation.
 ///
-/// The methods below without a body are all that a new system needs; `examples/own_model.rs` has one of 80 lines.
+/// A new system needs the methods below without a body, [`SystemScales`], and what it conserves as a [`Conserved`];
+/// `examples/own_model.rs` is a whole one.
 pub trait Model: SystemScales + fmt::Debug + Send + Sync {
     /// Returns the name of the Lie algebra.
     fn algebra_name(&self) -> String;
@@ -51,13 +52,26 @@ pub trait Model: SystemScales + fmt::Debug + Send + Sync {
     /// coordinates of its states.
     ///
     /// # Errors
-    /// If there is no such integrator, or the method does not determine the attitude.
+    /// If there is no such integrator, the method does not determine the attitude, or the system is no body that has one.
     fn integrator_with_attitude(
         &self,
-        method: &Method,
+        _method: &Method,
         _start: &[f64],
     ) -> Result<AnyIntegrator, RunFailure> {
-        Err(RunFailure::NoAttitude { formulation: method.formulation() })
+        Err(RunFailure::NoBody { algebra: self.algebra_name() })
+    }
+
+    /// Checks that a momentum has as many numbers as there are coordinates.
+    ///
+    /// # Errors
+    /// If it has not.
+    fn require_dimension(&self, momentum: &[f64]) -> Result<(), RunFailure> {
+        let expected = self.coordinates().iter().map(|(_, columns)| columns.len()).sum();
+        let found = momentum.len();
+        match expected == found {
+            true => Ok(()),
+            false => Err(FormulaSystemError::StateLength { expected, found }.into()),
+        }
     }
 
     /// Returns the momentum in the axes of the computation of one that users give.
@@ -65,12 +79,8 @@ pub trait Model: SystemScales + fmt::Debug + Send + Sync {
     /// # Errors
     /// If it has another number of coordinates, or the system cannot have it.
     fn start(&self, given: &[f64]) -> Result<Vec<f64>, RunFailure> {
-        let expected = self.coordinates().iter().map(|(_, columns)| columns.len()).sum();
-        let found = given.len();
-        match expected == found {
-            true => Ok(given.to_vec()),
-            false => Err(FormulaSystemError::StateLength { expected, found }.into()),
-        }
+        self.require_dimension(given)?;
+        Ok(given.to_vec())
     }
 
     /// Replaces a momentum by the one in the axes of the users.

@@ -2,6 +2,7 @@
 
 use super::model::Model;
 use crate::RunFailure;
+use heavytop::methods::Method;
 
 /// The largest angle by which a motion may turn in one step, rad: sixteen turns.
 const MOST_TURN: f64 = 100.0;
@@ -15,6 +16,20 @@ const MOST_TURN: f64 = 100.0;
 pub fn require_sane_step(model: &dyn Model, start: &[f64], step: f64) -> Result<(), RunFailure> {
     let angle = step.abs() * model.fastest_rate(start);
     if angle.is_nan() { Ok(()) } else { require_turn(step, angle) }
+}
+
+/// Checks that there is an integrator of a method for runs from a start, and then that the motion does not turn absurdly far
+/// in a step (s): [`require_sane_step`].
+///
+/// # Errors
+/// If there is none, or the motion turns farther.
+pub fn require_run(
+    model: &dyn Model,
+    method: &Method,
+    (start, step): (&[f64], f64),
+) -> Result<(), RunFailure> {
+    model.integrator(method, start)?;
+    require_sane_step(model, start, step)
 }
 
 /// Checks that an angle by which a motion turns in a step (s) is not absurd: it is at most 100 rad.

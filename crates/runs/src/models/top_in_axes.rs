@@ -112,6 +112,7 @@ impl Model for TopInAxes {
 
     /// Checks that a thin rod does not turn about itself.
     fn start(&self, given: &[f64]) -> Result<Vec<f64>, RunFailure> {
+        self.require_dimension(given)?;
         let mu = self.axes.state_to_principal(&Self::state(given));
         self.top.require_state(&mu)?;
         Ok(Self::coordinates(&mu).to_vec())

@@ -91,22 +91,26 @@ impl Experiment {
         let conserved = self.model.conserved(&self.start);
         let values = conserved.values(&self.start);
         let mut values = values.map_err(|reason| RunFailure::NoValue { time: 0.0, reason })?;
-        if let Some(place) = self.repeated(&*conserved) {
+        for place in self.repeated(&*conserved) {
             values.remove(place);
         }
         Ok(values)
     }
 
-    /// Returns the place of the conserved quantity that is a coordinate.
-    fn repeated(&self, conserved: &dyn Conserved) -> Option<usize> {
-        conserved.names().iter().position(|name| self.model.is_coordinate(name))
+    /// Returns the places of the conserved quantities that are coordinates, the last one first.
+    fn repeated(&self, conserved: &dyn Conserved) -> Vec<usize> {
+        let names = conserved.names();
+        let is_repeated = |place: &usize| self.model.is_coordinate(&names[*place]);
+        (0..names.len()).rev().filter(is_repeated).collect()
     }
 
     /// Returns the integrator, and the state from which it starts.
     ///
     /// # Errors
-    /// If there is no such integrator, or the formulation does not determine the attitude that is asked for.
+    /// If the start has another number of coordinates than the model, there is no such integrator, or it does not determine
+    /// the attitude that is asked for.
     pub fn begin(&self) -> Result<(AnyIntegrator, AnyState), RunFailure> {
+        self.model.require_dimension(&self.start)?;
         let integrator = match self.attitude {
             true => self.model.integrator_with_attitude(&self.method, &self.start)?,
             false => self.model.integrator(&self.method, &self.start)?,
@@ -206,7 +210,7 @@ impl Experiment {
             conserved
                 .append_finite(momentum, row)
                 .map_err(|reason| RunFailure::NoValue { time, reason })?;
-            if let Some(place) = repeated {
+            for place in &repeated {
                 row.remove(first + place);
             }
             if let Some(present) = &present_attitude {

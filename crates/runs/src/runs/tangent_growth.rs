@@ -41,7 +41,7 @@ impl TangentGrowth {
     /// let method = algebra.method("direct".parse()?, "gauss-8".parse()?, 0.0)?;
     /// let body = FormulaSystem::new(algebra, "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2", &Default::default())?;
     /// let start = [0.0, 1.0, 0.0];
-    /// let integrator = body.integrator(&method, &start)?;
+    /// let integrator = body.tangent_integrator(&method, &start)?;
     /// let (from, schedule) = (AnyState::from_slice(&start), Schedule::new(0.1, 100.0)?);
     /// let grown = TangentGrowth::follow(&integrator, &from, schedule, (1, &method), &mut |_, _| ())?;
     /// assert!((grown.lyapunov - (1.0_f64 / 12.0).sqrt()).abs() < 0.01);

@@ -54,7 +54,7 @@ fn lost() -> RunFailure {
     let names = (Formulation::Collective, SchemeName::Gauss(4));
     let method = system.algebra().method(names.0, names.1, 0.0).unwrap();
     let origin = [0.0; 3];
-    let integrator = system.integrator(&method, &origin).unwrap();
+    let integrator = system.tangent_integrator(&method, &origin).unwrap();
     let (origin, schedule) = (AnyState::from_slice(&origin), Schedule::new(1.0, 3.0).unwrap());
     TangentGrowth::follow(&integrator, &origin, schedule, (1, &method), &mut |_, _| ()).unwrap_err()
 }
@@ -77,6 +77,11 @@ fn every_error_names_what_is_wrong() {
     let failing = experiment("collective", "lobatto-iiia-iiib-4", pace(2.0, 4.0, 1));
     let algebra = ("so(3)", "Pi1 + 1e-9*ln(Pi2)");
     let no_value = of_formula(algebra, &[0.0, 1.0, 0.0], ("direct", "rk4"), pace(0.1, 5.0, 1));
+    let mut no_body = no_value.clone();
+    no_body.attitude = true;
+    let mut short = run.clone();
+    short.start.pop();
+    assert!(run.model.start(&[1.0; 7]).is_err());
     let mut of_another = no_value.clone();
     of_another.start.pop();
     let fast = Se3Dual::new(Vector3::new(0.0, 0.0, 1e200), Vector3::z());
@@ -88,6 +93,8 @@ fn every_error_names_what_is_wrong() {
         (followed(&of_another, None), "2"),
         (rod().start(&[0.1, 0.0, 0.3, 0.0, 0.0, 1.0]).unwrap_err(), "0.3"),
         (followed(&no_attitude, None), "direct has no attitude"),
+        (followed(&no_body, None), "so(3) has no attitude"),
+        (followed(&short, None), "5"),
         (followed(&run, Some(&Saved { step: 1024, state: vec![0.0] })), "has 1 numbers"),
         (schedule(0.0, 1.0), "step must be finite and different from 0, got 0"),
         (schedule(-0.1, 1.0), "-0.1 s do not reach end = 1"),

@@ -1,8 +1,13 @@
 //! The rows of a run are the samples of its integrator, whatever it follows.
 
 use crate::support::{START, experiment, of_formula, pace, top};
-use collective_integrators::{AnyState, Start};
-use lie_poisson_runs::{Experiment, RunFailure};
+use collective_integrators::diagnostics::SystemScales;
+use collective_integrators::{AnyIntegrator, AnyState, AnyTangents, Start};
+use core::ops::Range;
+use heavytop::methods::Method;
+use lie_poisson_formula_systems::{FormulaSystem, SystemKind};
+use lie_poisson_formulas::Parameters;
+use lie_poisson_runs::{Conserved, Experiment, Model, RunFailure};
 
 /// Returns the rows that a run writes.
 fn rows(run: &Experiment) -> Vec<Vec<f64>> {
@@ -88,4 +93,67 @@ fn a_run_goes_on_from_a_saved_moment() {
         // Control: the moments before are not made again.
         assert!(first > Some(2048), "{first:?}");
     }
+}
+
+/// A body with two rotors, two of whose Casimirs are coordinates.
+#[derive(Debug)]
+struct Rotors(FormulaSystem);
+
+impl SystemScales for Rotors {
+    fn blocks(&self) -> Vec<Range<usize>> {
+        self.0.blocks()
+    }
+
+    fn differential(&self, mu: &[f64]) -> Vec<f64> {
+        self.0.differential(mu)
+    }
+
+    fn fastest_rate(&self, mu: &[f64]) -> f64 {
+        self.0.fastest_rate(mu)
+    }
+}
+
+impl Model for Rotors {
+    fn algebra_name(&self) -> String {
+        self.0.algebra_name()
+    }
+
+    fn coordinates(&self) -> Vec<(String, Vec<String>)> {
+        self.0.coordinates()
+    }
+
+    fn conserved(&self, start: &[f64]) -> Box<dyn Conserved + '_> {
+        self.0.conserved(start)
+    }
+
+    fn tangent_integrator(
+        &self,
+        method: &Method,
+        start: &[f64],
+    ) -> Result<AnyIntegrator<dyn AnyTangents>, RunFailure> {
+        Model::tangent_integrator(&self.0, method, start)
+    }
+
+    fn is_coordinate(&self, conserved: &str) -> bool {
+        ["c1", "c2"].contains(&conserved)
+    }
+}
+
+/// Conserved quantities that are coordinates have no columns of their own, however many there are.
+#[test]
+fn a_coordinate_is_one_column() {
+    let parameters = Parameters::new().vector("I", &[1.0, 2.0, 3.0]).unwrap();
+    let parameters = parameters.vector("J", &[0.1, 0.2]).unwrap();
+    let body = SystemKind::named("body-with-rotors").unwrap().system(&parameters).unwrap();
+    assert_eq!(body.casimirs()[0].to_string() + &body.casimirs()[1].to_string(), "l1l2");
+    let method = body.algebra().method("direct".parse().unwrap(), "gauss-4".parse().unwrap(), 0.0);
+    let (start, pace) = (vec![0.3, 1.0, 0.2, 0.2, 0.1], pace(0.1, 1.0, 1));
+    let (model, method) = (Rotors(body), method.unwrap());
+    let run = Experiment { model, start, method, pace, attitude: false };
+    assert_eq!(run.conserved(), ["h", "c3"]);
+    let (initial, rows) = (run.initial().unwrap(), rows(&run));
+    assert!(rows.iter().all(|row| row.len() == 1 + 5 + 2), "{rows:?}");
+    assert_eq!(rows[0][6..], initial);
+    // c3 = |Π|²
+    assert!((initial[1] - 1.13).abs() < 1e-15, "{initial:?}");
 }

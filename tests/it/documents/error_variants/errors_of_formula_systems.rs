@@ -64,7 +64,7 @@ pub fn systems_and_states() -> Vec<String> {
         let tiny = FormulaSystem::new(tiny?, "x^2 + z", &Parameters::new())?;
         let collective = Formulation::Collective;
         let method = tiny.algebra().method(collective, SchemeName::Gauss(2), 0.0)?;
-        tiny.integrator(&method, &state).map(drop)
+        tiny.tangent_integrator(&method, &state).map(drop)
     };
     // y/x² is a Casimir, but no polynomial; z is another one.
     let section_on_another_orbit = || -> Outcome<_> {
@@ -86,7 +86,7 @@ pub fn systems_and_states() -> Vec<String> {
         let method = hill.algebra().method(collective, rk4, 0.0)?;
         // control: where the energy is smooth, the same step is made
         let step = |start: [f64; 2]| -> Outcome<Result<(), StepError>> {
-            let integrator = hill.integrator(&method, &start)?.without_tangents();
+            let integrator = hill.tangent_integrator(&method, &start)?.without_tangents();
             let mut run = integrator.trajectory(&AnyState::from_slice(&start), 0.5).unwrap();
             let end = run.nth(1).unwrap();
             Ok(end.map(|_| ()).map_err(|error| error.source))

@@ -11,7 +11,7 @@ use lie_poisson_formula_systems::{
     FormulaSystem, FormulaSystemError, SystemAlgebra, SystemKind, structure_table,
 };
 use lie_poisson_formulas::{Coordinates, Parameters};
-use lie_poisson_runs::step_angle::require_sane_step;
+use lie_poisson_runs::step_angle::require_run;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -81,11 +81,10 @@ impl SystemConfig {
         let formulation = system.algebra().default_formulation();
         let formulation = integrator.formulation.unwrap_or(formulation);
         let method = system.algebra().method(formulation, scheme, tolerance)?;
-        require_sane_step(&system, &start, step)?;
+        system.invariants(&start)?;
+        require_run(&system, &method, (&start, step))?;
         let pace = Pace { schedule: Schedule::new(step, end)?, every };
-        let run = Experiment { model: system, start, method, pace, attitude: false };
-        run.begin()?;
-        Ok(run)
+        Ok(Experiment { model: system, start, method, pace, attitude: false })
     }
 
     /// Returns the system of the table, with its Casimirs.

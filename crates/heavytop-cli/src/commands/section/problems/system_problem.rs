@@ -13,7 +13,7 @@ use heavytop::methods::Method;
 use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemSection};
 use lie_poisson_formulas::Formula;
 use lie_poisson_runs::Model;
-use lie_poisson_runs::step_angle::require_sane_step;
+use lie_poisson_runs::step_angle::require_run;
 use serde_json::{Map, Value};
 
 /// The section of a system, and how its points are computed.
@@ -120,10 +120,8 @@ impl SectionProblem for SystemProblem {
     fn require_step(&self, step: f64) -> Result<(), Error> {
         let own = std::slice::from_ref(&self.initial);
         let states = if self.given.is_empty() { own } else { &self.given };
-        Ok(states.iter().try_for_each(|state| {
-            self.model().integrator(&self.method, state)?;
-            require_sane_step(self.system(), state, step)
-        })?)
+        let sane = |state: &Vec<f64>| require_run(self.system(), &self.method, (state, step));
+        Ok(states.iter().try_for_each(sane)?)
     }
 
     fn complete(&self, section: SectionConfig) -> SectionConfig {

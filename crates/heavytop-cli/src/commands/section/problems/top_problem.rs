@@ -213,15 +213,10 @@ pub(super) fn followed(limits: &Limits) -> String {
     format!("{starts} starts, {crossings} returns each, at most {longest} s")
 }
 
-/// Returns the least moment of the top, kg m²: that across it for a thin rod.
-fn least_moment(top: &HeavyTop) -> f64 {
-    top.inertia().iter().copied().filter(|moment| *moment > 0.0).fold(f64::INFINITY, f64::min)
-}
-
 /// Returns an upper bound of the angular velocity on the energy level and of the frequency of a pendulum: √(2(E + m g
 /// l)/I) + √(m g l/I), I the least moment, 1/s.
 fn fastest(top: &HeavyTop, energy: f64) -> f64 {
-    let (weight, moment) = (top.weight_moment(), least_moment(top));
+    let (weight, moment) = (top.weight_moment(), top.least_moment());
     let kinetic = (energy + weight).max(0.0);
     (2.0 * kinetic / moment).sqrt() + (weight / moment).sqrt()
 }

@@ -16,7 +16,7 @@ use collective_integrators::AnyState;
 use heavytop::methods::Method;
 use lie_poisson_formula_systems::FormulaSystem;
 use lie_poisson_runs::Model;
-use lie_poisson_runs::step_angle::require_sane_step;
+use lie_poisson_runs::step_angle::require_run;
 use std::cell::RefCell;
 
 /// Motions of a system, whose parameters or initial states differ.
@@ -102,8 +102,7 @@ impl SystemFamily {
         if found != expected {
             return Err(SweepError::Casimirs { found, expected }.into());
         }
-        system.integrator(&self.method, &start)?;
-        require_sane_step(&system, &start, step)?;
+        require_run(&system, &self.method, (&start, step))?;
         Ok((system, start))
     }
 
@@ -230,7 +229,7 @@ impl Family for SystemFamily {
         let columns = self.system.casimir_degrees();
         let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
         let mut gauge = SystemGauge::new(&system, (&start, wants_sizes), columns, &undefined);
-        let integrator = system.integrator(&self.method, &start)?;
+        let integrator = system.tangent_integrator(&self.method, &start)?;
         let from = AnyState::from_slice(&start);
         let measured = measure(&integrator, &from, &mut gauge, course, self.method())?;
         drop(gauge);
