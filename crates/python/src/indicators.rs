@@ -3,10 +3,9 @@
 use crate::errors::{message, refused};
 use crate::runs::growth::{Growth, GrowthTask, tangents_named};
 use crate::runs::interruption::until_interrupted;
-use crate::runs::schedule::schedule;
 use core::sync::atomic::Ordering;
 use heavytop::methods::Method;
-use lie_poisson_runs::Model;
+use lie_poisson_runs::{Model, Schedule};
 use pyo3::{PyResult, Python, pyclass};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
@@ -31,7 +30,8 @@ pub(crate) fn growth_of_models(
         None => Ok(given.clone()),
     };
     let starts: Vec<Vec<f64>> = starts.iter().enumerate().map(start).collect::<PyResult<_>>()?;
-    let (schedule, tangents) = (schedule(step, end)?, tangents_named(tangents)?);
+    let (schedule, tangents) =
+        (Schedule::new(step, end).map_err(refused)?, tangents_named(tangents)?);
     let runs = until_interrupted(py, |stop| {
         let one = |(index, start): (usize, &Vec<f64>)| {
             if stop.load(Ordering::Relaxed) {

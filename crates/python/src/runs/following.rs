@@ -6,13 +6,12 @@ use super::event::Event;
 use super::interruption::Interruption;
 use super::record::Record;
 use super::recording::Recording;
-use super::schedule::schedule;
 use crate::arrays::rows;
 use crate::errors::refused;
 use collective_integrators::{AnyState, Integrator, Start};
 use heavytop::methods::Method;
 use lie_poisson::Quaternion;
-use lie_poisson_runs::Model;
+use lie_poisson_runs::{Model, Schedule};
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::{Bound, PyResult, Python};
@@ -57,7 +56,7 @@ impl<'a> Following<'a> {
         events: &[Event],
         attitude: Option<Option<Quaternion>>,
     ) -> PyResult<(Record, [usize; 2])> {
-        let schedule = schedule(self.step, end)?;
+        let schedule = Schedule::new(self.step, end).map_err(refused)?;
         if every == 0 {
             return Err(PyValueError::new_err("every must be at least 1, got 0"));
         }

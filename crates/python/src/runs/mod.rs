@@ -1,6 +1,5 @@
 //! Tasks along one run: recording, states between samples, events, tangent vectors.
 
-pub(crate) mod schedule;
 pub(crate) mod interruption;
 pub(crate) mod accuracy;
 pub(crate) mod event;

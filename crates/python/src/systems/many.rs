@@ -2,16 +2,15 @@
 
 use super::system::System;
 use crate::arrays::rows;
-use crate::errors::message;
+use crate::errors::{message, refused};
 use crate::indicators::{Indicators, Times, growth_of_models};
 use crate::runs::following::MethodArgument;
 use crate::runs::interruption::until_interrupted;
-use crate::runs::schedule::schedule;
 use collective_integrators::{AnyIntegrator, AnyState, CHECKPOINT, Start};
 use core::sync::atomic::{AtomicBool, Ordering};
 use heavytop::methods::{Formulation, Method};
 use lie_poisson_formula_systems::FormulaSystem;
-use lie_poisson_runs::Model;
+use lie_poisson_runs::{Model, Schedule};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::{Bound, PyRef, PyResult, Python, pyfunction};
 use rayon::iter::ParallelIterator;
@@ -34,7 +33,7 @@ pub fn advance_system<'py>(
     method: MethodArgument,
 ) -> PyResult<EndArrays<'py>> {
     let (method, system) = (system.method(method)?, &system.system);
-    let steps = schedule(step, end)?.steps;
+    let steps = Schedule::new(step, end).map_err(refused)?.steps;
     let starts: Vec<Vec<f64>> = states.as_array().outer_iter().map(|row| row.to_vec()).collect();
     // Which Clebsch map an integrator has depends on the start.
     let is_clebsch = method.formulation() == Formulation::Collective

@@ -3,12 +3,11 @@
 use super::top::Top;
 use crate::arrays::{read_rows, rows};
 use crate::errors::{message, refused};
-use crate::runs::schedule::schedule;
 use crate::threads::threads;
 use collective_integrators::{BatchIntegrator, CHECKPOINT, Ensemble, MemberError};
 use heavytop::{GaussBatch, HeavyTop, MidpointBatch, TopMidpoint};
 use lie_poisson::Se3Dual;
-use lie_poisson_runs::TopInAxes;
+use lie_poisson_runs::{Schedule, TopInAxes};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::{Bound, PyRef, PyResult, Python, pyfunction};
@@ -29,7 +28,7 @@ pub fn advance_states<'py>(
 ) -> PyResult<Ends<'py>> {
     let states = read_rows("the states", &states)?.into_iter().map(|given| top.principal(given));
     let mut states = states.collect::<PyResult<Vec<Se3Dual>>>()?;
-    let (steps, of) = (schedule(step, end)?.steps, [*top]);
+    let (steps, of) = (Schedule::new(step, end).map_err(refused)?.steps, [*top]);
     let top = top.model.top;
     if scheme != "implicit-midpoint" {
         return advance_members(
@@ -60,7 +59,12 @@ pub fn advance_tops<'py>(
     let tops: Vec<Top> = tops.iter().map(|top| **top).collect();
     let member = |(top, given): (&Top, [f64; 6])| Ok((top.model.top, top.principal(given)?));
     let members = tops.iter().zip(states).map(member).collect::<PyResult<Vec<_>>>()?;
-    advance_members(py, members, (&tops, step, schedule(step, end)?.steps), scheme)
+    advance_members(
+        py,
+        members,
+        (&tops, step, Schedule::new(step, end).map_err(refused)?.steps),
+        scheme,
+    )
 }
 
 fn advance_members<'py>(
