@@ -20,19 +20,19 @@ pub(super) enum Extended<const N: usize> {
 pub(super) type ClebschMap<const N: usize> = ClebschRealisation<Diagonal<Extended<N>, 2>>;
 
 /// Returns the map of the adjoint representation. If a momentum has no lift, it is that of the coadjoint representation.
-/// `missing` is the error of an algebra that has none.
+/// The algebra is that of a dimension, completed to N. `missing` is the error of an algebra that has no map.
 pub(super) fn clebsch_map<const N: usize>(
-    table: StructureConstants<N>,
+    (table, dimension): (StructureConstants<N>, usize),
     mu: &Momentum<StructureConstants<N>>,
     missing: impl Fn() -> FormulaSystemError,
 ) -> Result<ClebschMap<N>, FormulaSystemError> {
     let of = |representation| clebsch_realisation(Diagonal(representation), Side::Right);
-    let adjoint = ExtendedAdjoint::of(table.clone()).map_err(|_| missing())?;
+    let adjoint = ExtendedAdjoint::of_summand(table.clone(), dimension).map_err(|_| missing())?;
     let map = of(Extended::Adjoint(adjoint))?;
     if map.lift(mu).is_ok() {
         return Ok(map);
     }
-    let coadjoint = ExtendedCoadjoint::of(table).map_err(|_| missing())?;
+    let coadjoint = ExtendedCoadjoint::of_summand(table, dimension).map_err(|_| missing())?;
     Ok(of(Extended::Coadjoint(coadjoint))?)
 }
 

@@ -66,11 +66,8 @@ impl Integration<'_> {
                 self.any(LiftFree::new(scheme, DualQuaternions, self.hamiltonian::<Se3>()?))
             }
             (Formulation::Collective, Family::Other) => {
-                return match algebra.dimension() {
-                    2 => self.clebsch::<2>(scheme),
+                return match algebra.width() {
                     3 => self.clebsch::<3>(scheme),
-                    4 => self.clebsch::<4>(scheme),
-                    5 => self.clebsch::<5>(scheme),
                     6 => self.clebsch::<6>(scheme),
                     _ => Err(self.impossible()),
                 };
@@ -80,36 +77,21 @@ impl Integration<'_> {
         })
     }
 
-    /// Applies the scheme on T∗V, read through the Clebsch map.
+    /// Applies the scheme on T∗V, read through the Clebsch map, on the algebra that is completed to the dimension N.
     fn clebsch<const N: usize>(&self, scheme: AnyScheme) -> Made {
-        let (hamiltonian, order) = (self.hamiltonian::<StructureConstants<N>>()?, scheme.order());
-        let map = self.clebsch_map::<N>()?;
+        let hamiltonian: FormulaHamiltonian<StructureConstants<N>> = of(self.system.completed())?;
+        let (map, order) = (self.clebsch_map::<N>()?, scheme.order());
         // A step of these costs so much that calls cost nothing.
         let collective = Collective::new(ByPointer(scheme), map, hamiltonian);
-        Ok(self.any(self.guarded(collective, order)?))
-    }
-
-    /// Returns an integrator whose steps fail if they lose h or a Casimir.
-    fn guarded<I, const N: usize>(
-        &self,
-        integrator: I,
-        order: usize,
-    ) -> Result<InvariantGuard<I, N>, FormulaSystemError> {
-        let invariants = core::iter::once(self.system.hamiltonian()).chain(self.system.casimirs());
-        InvariantGuard::new(integrator, order, self.table::<N>()?, invariants)
+        Ok(self.any(InvariantGuard::new(collective, order, self.system)))
     }
 
     /// Returns whether the steps of affine schemes descend to 𝔤∗ along the map that [`clebsch`](Self::clebsch) uses.
     pub(super) fn descends(&self) -> Result<bool, FormulaSystemError> {
-        if self.method.formulation() != Formulation::Collective {
-            return Ok(true);
-        }
-        match (self.system.algebra().family, self.system.algebra().dimension()) {
-            (Family::Other, 2) => self.clebsch_descends::<2>(),
-            (Family::Other, 3) => self.clebsch_descends::<3>(),
-            (Family::Other, 4) => self.clebsch_descends::<4>(),
-            (Family::Other, 5) => self.clebsch_descends::<5>(),
-            (Family::Other, 6) => self.clebsch_descends::<6>(),
+        let algebra = self.system.algebra();
+        match (self.method.formulation(), algebra.family, algebra.width()) {
+            (Formulation::Collective, Family::Other, 3) => self.clebsch_descends::<3>(),
+            (Formulation::Collective, Family::Other, 6) => self.clebsch_descends::<6>(),
             _ => Ok(true),
         }
     }
@@ -121,10 +103,11 @@ impl Integration<'_> {
     /// Returns the Clebsch map of the adjoint representation. If the start has no lift, it is that of the coadjoint
     /// representation.
     fn clebsch_map<const N: usize>(&self) -> Result<ClebschMap<N>, FormulaSystemError> {
-        clebsch_map(self.table::<N>()?, &self.momentum::<N>(), || self.impossible())
+        let algebra = (self.table::<N>()?, self.system.algebra().dimension());
+        clebsch_map(algebra, &self.momentum::<N>(), || self.impossible())
     }
 
-    /// Returns the start as a momentum.
+    /// Returns the start as a momentum; coordinates that complete it are zero.
     fn momentum<const N: usize>(&self) -> Momentum<StructureConstants<N>> {
         Vector::from_coordinates(|i| self.start.get(i).copied().unwrap_or(0.0))
     }

@@ -1,14 +1,10 @@
 //! Steps that are refused if they lose an invariant: [`InvariantGuard`].
 
-use crate::FormulaSystemError;
+use crate::FormulaSystem;
 use collective_integrators::{Integrator, Start, Step, StepError};
-use lie_poisson::{
-    Covector, Hamiltonian, LieAlgebra, LiePoisson, Momentum, Real, StructureConstants, Vector,
-    larger,
-};
-use lie_poisson_formulas::{Formula, FormulaHamiltonian};
+use lie_poisson::{Real, Vector, larger};
+use lie_poisson_formulas::{Formula, StructureEntry};
 use momentum_map::LiftError;
-use nalgebra::SVector;
 
 /// An integrator on 𝔤∗ whose steps fail if h or a Casimir changes by more than the order of the method allows.
 ///
@@ -22,12 +18,18 @@ use nalgebra::SVector;
 /// with the largest S and r of the states before the step. A state that has left its orbit, or its level of the energy, by
 /// more is wrong, even if it solves the equations of the step. For steps that resolve the motion the inequality holds with
 /// room, since r is a bound and the constants of the methods are small.
-pub(super) struct InvariantGuard<I, const N: usize> {
+pub(super) struct InvariantGuard<I> {
     integrator: I,
+    guarded: Guarded,
+}
+
+/// What is not to be lost, in the coordinates of the algebra.
+struct Guarded {
     order: i32,
-    algebra: StructureConstants<N>,
+    dimension: usize,
+    entries: Vec<StructureEntry>,
     /// The Hamiltonian, then the Casimirs.
-    invariants: Vec<FormulaHamiltonian<StructureConstants<N>>>,
+    invariants: Vec<Formula>,
 }
 
 /// The relative change of an invariant that round-off may cause between two checkpoints.
@@ -42,114 +44,112 @@ pub(super) struct GuardedSpace<W, V> {
 }
 
 /// The invariants of a state, with the sizes and rates of the states since.
-#[derive(Default)]
 struct Record {
     values: Vec<f64>,
     terms: Vec<f64>,
     rate: f64,
     time: f64,
+    /// The last momentum.
+    mu: Vec<f64>,
+    /// Space for a differential ξ, and for the matrix Σ_i c_ijk ξ_i.
+    slopes: Vec<f64>,
+    moved: Vec<f64>,
 }
 
-impl<I, const N: usize> InvariantGuard<I, N> {
-    /// Guards an integrator of this order.
-    pub(super) fn new<'a>(
-        integrator: I,
-        order: usize,
-        algebra: StructureConstants<N>,
-        invariants: impl Iterator<Item = &'a Formula>,
-    ) -> Result<Self, FormulaSystemError> {
-        let invariants = invariants.map(FormulaHamiltonian::of).collect::<Result<_, _>>();
-        let invariants = invariants.map_err(FormulaSystemError::Hamiltonian)?;
-        Ok(Self {
-            integrator,
+impl<I> InvariantGuard<I> {
+    /// Guards an integrator of this order for a system. Its momenta begin with those of the system.
+    pub(super) fn new(integrator: I, order: usize, system: &FormulaSystem) -> Self {
+        let invariants = core::iter::once(system.hamiltonian()).chain(system.casimirs());
+        let guarded = Guarded {
             order: i32::try_from(order).unwrap_or(i32::MAX),
-            algebra,
-            invariants,
-        })
-    }
-
-    /// Returns the largest rate at which elements of 𝔤∗ move under ξ.
-    fn rate(&self, xi: &SVector<f64, N>) -> f64 {
-        let row = |j: usize| {
-            let moved =
-                |k: usize| (0..N).map(|i| self.algebra.constant(i, j, k) * xi[i]).sum::<f64>();
-            (0..N).map(|k| moved(k).abs()).sum::<f64>()
+            dimension: system.algebra().dimension(),
+            entries: system.algebra().entries().to_vec(),
+            invariants: invariants.cloned().collect(),
         };
-        (0..N).map(row).fold(0.0, larger)
+        Self { integrator, guarded }
+    }
+}
+
+impl Guarded {
+    fn record(&self) -> Record {
+        let (n, count) = (self.dimension, self.invariants.len());
+        let zeros = |length: usize| vec![0.0; length];
+        Record {
+            values: zeros(count),
+            terms: zeros(count),
+            rate: 0.0,
+            time: 0.0,
+            mu: zeros(n),
+            slopes: zeros(n),
+            moved: zeros(n * n),
+        }
     }
 
-    /// Begins a record at μ.
-    fn begin(&self, mu: &Momentum<StructureConstants<N>>, since: &mut Record) {
-        since.values.clear();
-        since.values.extend(self.invariants.iter().map(|f| value(f, mu)));
-        since.terms.clear();
-        since.terms.resize(self.invariants.len(), 0.0);
+    /// Writes a momentum into the record.
+    fn take<V: Vector>(mu: &V, since: &mut Record) {
+        let number = |i: usize| mu.coordinate(i).as_f64().unwrap_or(f64::NAN);
+        since.mu.iter_mut().enumerate().for_each(|(i, x)| *x = number(i));
+    }
+
+    /// Begins at the momentum of the record.
+    fn begin(&self, since: &mut Record) {
+        for (f, value) in self.invariants.iter().zip(&mut since.values) {
+            *value = f.value_at(&since.mu);
+        }
+        since.terms.fill(0.0);
         (since.rate, since.time) = (0.0, 0.0);
-        self.note(mu, since);
+        self.note(since);
     }
 
-    /// Enlarges the sizes and the rate of a record to those at μ.
-    fn note(&self, mu: &Momentum<StructureConstants<N>>, since: &mut Record) {
-        for (index, (f, terms)) in self.invariants.iter().zip(&mut since.terms).enumerate() {
-            let slopes = differential(f, mu);
-            let sum = (0..N).map(|i| (slopes[i] * mu.0[i]).abs()).sum();
-            *terms = larger(*terms, sum);
+    /// Includes the sizes and the rate at the momentum of the record.
+    fn note(&self, since: &mut Record) {
+        for (index, f) in self.invariants.iter().enumerate() {
+            f.write_differential(&since.mu, &mut since.slopes);
+            let terms = since.slopes.iter().zip(&since.mu).map(|(slope, x)| (slope * x).abs());
+            since.terms[index] = larger(since.terms[index], terms.sum());
             if index == 0 {
-                since.rate = larger(since.rate, self.rate(&slopes));
+                since.rate = larger(since.rate, self.rate(&since.slopes, &mut since.moved));
             }
         }
     }
 
-    /// Checks the invariants at μ after a step, and records μ.
-    fn check(
-        &self,
-        mu: &Momentum<StructureConstants<N>>,
-        step: f64,
-        since: &mut Record,
-    ) -> Result<(), StepError> {
+    /// Returns a bound of the rate at which ad∗_ξ moves μ: the largest sum Σ_k |Σ_i c_ijk ξ_i|.
+    fn rate(&self, xi: &[f64], moved: &mut [f64]) -> f64 {
+        moved.fill(0.0);
+        for &StructureEntry { i, j, k, value } in &self.entries {
+            moved[j * self.dimension + k] += value * xi[i];
+            moved[i * self.dimension + k] -= value * xi[j];
+        }
+        let rows = moved.chunks_exact(self.dimension.max(1));
+        rows.map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, larger)
+    }
+
+    /// Checks the momentum of the record, to which a step has led.
+    fn check(&self, step: f64, since: &mut Record) -> Result<(), StepError> {
         since.time += step.abs();
         let order = (step * since.rate).abs().powi(self.order);
         let relative = order * (1.0 + since.rate * since.time) + ROUND_OFF;
         let before = since.values.iter().zip(&since.terms);
         for (index, (f, (before, terms))) in self.invariants.iter().zip(before).enumerate() {
-            let (change, allowed) = ((value(f, mu) - before).abs(), relative * terms);
+            let (change, allowed) = ((f.value_at(&since.mu) - before).abs(), relative * terms);
             // A NaN is left to the error that says so.
             if change > allowed {
                 return Err(StepError::InvariantLost { index, change, allowed });
             }
         }
-        self.note(mu, since);
+        self.note(since);
         Ok(())
     }
 }
 
-fn value<A: LieAlgebra>(f: &FormulaHamiltonian<A>, mu: &Momentum<A>) -> f64 {
-    Hamiltonian::<LiePoisson<A>>::value(f, mu)
-}
-
-fn differential<A: LieAlgebra>(f: &FormulaHamiltonian<A>, mu: &Momentum<A>) -> A::Element<f64> {
-    Hamiltonian::<LiePoisson<A>>::differential(f, mu)
-}
-
-/// Returns a momentum as numbers, or `None` over another scalar, whose steps are those of numbers.
-fn numbers<T: Real, const N: usize>(
-    mu: &Covector<SVector<T, N>>,
-) -> Option<Momentum<StructureConstants<N>>> {
-    mu.coordinate(0).as_f64()?;
-    Some(Covector(SVector::from_fn(|i, _| mu.0[i].as_f64().unwrap_or(f64::NAN))))
-}
-
-impl<T, I, const N: usize> Integrator<T> for InvariantGuard<I, N>
-where
-    T: Real,
-    I: Integrator<T, Momentum = Covector<SVector<T, N>>>,
-{
+impl<T: Real, I: Integrator<T, Momentum: Vector>> Integrator<T> for InvariantGuard<I> {
     type State = I::State;
     type Momentum = I::Momentum;
     type Workspace = GuardedSpace<I::Workspace, I::State>;
 
     fn workspace(&self) -> Self::Workspace {
-        GuardedSpace { inner: self.integrator.workspace(), end: None, since: Record::default() }
+        let since = self.guarded.record();
+        GuardedSpace { inner: self.integrator.workspace(), end: None, since }
     }
 
     fn step(
@@ -159,14 +159,17 @@ where
         workspace: &mut Self::Workspace,
     ) -> Result<Step<I::State>, StepError> {
         let made = self.integrator.step(state, step, &mut workspace.inner)?;
-        let Some(mu) = numbers(&self.integrator.momentum(&made.point)) else { return Ok(made) };
-        let GuardedSpace { end, since, .. } = workspace;
-        if end.as_ref() != Some(state)
-            && let Some(start) = numbers(&self.integrator.momentum(state))
-        {
-            self.begin(&start, since);
+        // Steps over dual numbers are those of numbers, which are guarded.
+        if T::zero().as_f64().is_none() {
+            return Ok(made);
         }
-        let kept = self.check(&mu, step, since);
+        let GuardedSpace { end, since, .. } = workspace;
+        if end.as_ref() != Some(state) {
+            Guarded::take(&self.integrator.momentum(state), since);
+            self.guarded.begin(since);
+        }
+        Guarded::take(&self.integrator.momentum(&made.point), since);
+        let kept = self.guarded.check(step, since);
         *end = kept.is_ok().then(|| made.point.clone());
         kept.map(|()| made)
     }
@@ -185,11 +188,7 @@ where
     }
 }
 
-impl<T, I, const N: usize> Start<T> for InvariantGuard<I, N>
-where
-    T: Real,
-    I: Start<T, Momentum = Covector<SVector<T, N>>>,
-{
+impl<T: Real, I: Start<T, Momentum: Vector>> Start<T> for InvariantGuard<I> {
     fn start(&self, mu: &I::Momentum) -> Result<I::State, LiftError> {
         self.integrator.start(mu)
     }

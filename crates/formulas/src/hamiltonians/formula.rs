@@ -217,7 +217,25 @@ impl Formula {
     /// ```
     #[must_use]
     pub fn differential_at(&self, z: &[f64]) -> Vec<f64> {
-        self.0.gradient.list(z)
+        let mut slopes = vec![f64::NAN; z.len()];
+        self.write_differential(z, &mut slopes);
+        slopes
+    }
+
+    /// Writes the coordinates ∂h/∂zᵢ of the differential at coordinates in a slice, without an allocation. They are NaN if
+    /// the slice has fewer or more coordinates than the formula. Those for which there is no room are left out.
+    ///
+    /// ```
+    /// use lie_poisson::So3;
+    /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+    /// let h = Formula::new("Pi1*Pi2 + Pi3", &Vocabulary::of(&So3, &Parameters::new())?)?;
+    /// let mut slopes = [0.0; 3];
+    /// h.write_differential(&[2.0, 3.0, 4.0], &mut slopes);
+    /// assert_eq!(slopes, [3.0, 2.0, 1.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn write_differential(&self, z: &[f64], slopes: &mut [f64]) {
+        self.0.gradient.write(z, slopes);
     }
 
     /// Returns the coefficients a_i if the formula is a linear form Σ a_i zᵢ, and `None` otherwise.

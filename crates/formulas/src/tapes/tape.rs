@@ -75,14 +75,14 @@ impl Tape {
         }
     }
 
-    /// Computes as many results as there are coordinates in a slice. The i-th coordinate belongs to the i-th result.
-    /// The results are NaN if the tape has another number of coordinates.
-    pub(crate) fn list(&self, z: &[f64]) -> Vec<f64> {
+    /// Computes as many results as there are coordinates in a slice, and writes those for which there is room. The i-th
+    /// coordinate belongs to the i-th result. The results are NaN if the tape has another number of coordinates.
+    pub(crate) fn write(&self, z: &[f64], out: &mut [f64]) {
         let input = |i: usize| z.get(i).copied().unwrap_or(f64::NAN);
         let count = z.len();
         self.evaluate((count, count), input, input, |results| {
-            (0..count).map(|i| result(results, i)).collect()
-        })
+            out.iter_mut().enumerate().for_each(|(i, out)| *out = result(results, i));
+        });
     }
 
     /// Computes the first result at `inputs` coordinates; NaN if the tape has another number of coordinates.
@@ -102,7 +102,7 @@ impl Tape {
         counts: (usize, usize),
         input: impl Fn(usize) -> T,
         own: impl Fn(usize) -> T,
-        results: impl Fn(&[T]) -> R,
+        results: impl FnOnce(&[T]) -> R,
     ) -> R {
         // Only code that is inlined into the code for wide registers can use their instructions.
         match self.size {
@@ -119,7 +119,7 @@ impl Tape {
         counts: (usize, usize),
         input: impl Fn(usize) -> T,
         own: impl Fn(usize) -> T,
-        results: impl Fn(&[T]) -> R,
+        results: impl FnOnce(&[T]) -> R,
     ) -> R {
         match self.size {
             16 => self.evaluate_in::<T, R, { SIZES[0] }>(counts, input, own, results),
@@ -136,7 +136,7 @@ impl Tape {
         (inputs, outputs): (usize, usize),
         input: impl Fn(usize) -> T,
         own: impl Fn(usize) -> T,
-        results: impl Fn(&[T]) -> R,
+        results: impl FnOnce(&[T]) -> R,
     ) -> R {
         let mut registers = [T::from_f64(0.0); SIZE];
         let affine = self.results.get(..outputs).filter(|_| inputs == self.inputs);

@@ -51,10 +51,17 @@ impl<A: LieAlgebra> ExtendedAdjoint<A> {
     /// Returns [`CocycleError`] if a structure constant, or the product of the largest one with the derivation, is not
     /// finite.
     pub fn of(algebra: A) -> Result<Self, CocycleError> {
-        let adjoint = InfinitesimalAdjoint(algebra);
+        Self::of_summand(algebra, A::Element::<f64>::DIM)
+    }
+
+    /// Creates the extension of the direct sum of an algebra, spanned by the first `dimension` basis vectors, and an abelian
+    /// one. It is that of the first [by itself](Self::of): the derivation vanishes on the second.
+    ///
+    /// # Errors
+    /// Returns the errors of [`of`](Self::of).
+    pub fn of_summand(algebra: A, dimension: usize) -> Result<Self, CocycleError> {
         let identity = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
-        let size = nonzero(largest_element(&adjoint));
-        Ok(Self(Cocycle::nearest_to(adjoint, identity)?.scaled(size)?))
+        nearest_to(InfinitesimalAdjoint(algebra), identity, dimension)
     }
 }
 
@@ -86,11 +93,48 @@ impl<A: LieAlgebra> ExtendedCoadjoint<A> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn of(algebra: A) -> Result<Self, CocycleError> {
-        let coadjoint = Contragredient(InfinitesimalAdjoint(algebra));
-        let generic = |i: usize, j: usize| ((2 * i + 1) as f64 * 0.7 + (j * j + j) as f64).sin();
-        let size = nonzero(largest_element(&coadjoint));
-        Ok(Self(Cocycle::nearest_to(coadjoint, generic)?.scaled(size)?))
+        Self::of_summand(algebra, A::Element::<f64>::DIM)
     }
+
+    /// Creates the extension of the direct sum of an algebra, spanned by the first `dimension` basis vectors, and an abelian
+    /// one. It is that of the first [by itself](Self::of): the cocycle vanishes on the second, and has no values in its dual.
+    ///
+    /// # Errors
+    /// Returns the errors of [`of`](Self::of).
+    ///
+    /// # Example
+    /// The plane of one rotation and two translations, completed by a direction that commutes with all:
+    /// ```
+    /// use lie_poisson::{ExtendedCoadjoint, StructureConstants};
+    /// let plane = |i, j, k| match (i, j, k) {
+    ///     (0, 1, 2) | (2, 0, 1) => 1.0,
+    ///     (1, 0, 2) | (0, 2, 1) => -1.0,
+    ///     _ => 0.0,
+    /// };
+    /// let alone = ExtendedCoadjoint::of(StructureConstants::<3>::new(plane)?)?;
+    /// let summand = ExtendedCoadjoint::of_summand(StructureConstants::<4>::new(plane)?, 3)?;
+    /// for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
+    ///     // an entry outside of the matrix is 0
+    ///     assert!((summand.0.entry(i, j) - alone.0.entry(i, j)).abs() < 1e-14);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of_summand(algebra: A, dimension: usize) -> Result<Self, CocycleError> {
+        let generic = |i: usize, j: usize| ((2 * i + 1) as f64 * 0.7 + (j * j + j) as f64).sin();
+        nearest_to(Contragredient(InfinitesimalAdjoint(algebra)), generic, dimension)
+    }
+}
+
+/// Returns the extension by the cocycle nearest to a matrix whose rows and columns from `dimension` on are zero, multiplied by
+/// the largest structure constant.
+fn nearest_to<R: Representation>(
+    representation: R,
+    target: impl Fn(usize, usize) -> f64,
+    dimension: usize,
+) -> Result<CocycleExtension<R>, CocycleError> {
+    let size = nonzero(largest_element(&representation));
+    let target = |i: usize, j: usize| if i.max(j) < dimension { target(i, j) } else { 0.0 };
+    Ok(CocycleExtension(Cocycle::nearest_to(representation, target)?.scaled(size)?))
 }
 
 impl<R: Representation> Representation for CocycleExtension<R> {
