@@ -2,24 +2,27 @@
 
 use super::clock::{TimedRun, measure};
 use super::problem::TimedProblem;
-use crate::RunFailure;
+use crate::{RunFailure, TopInAxes};
 use collective_integrators::{
-    AlternatingSubsteps, BatchIntegrator, Chunk, Collective, Direct, Ensemble, HamiltonianField,
-    IntegrationError, Laned, LiftFree, RungeKutta, SchemeError, Splitting, StagesInLanes, Start,
+    AlternatingSubsteps, AnyIntegrator, AnyState, BatchIntegrator, Chunk, Collective, Ensemble,
+    Integrator, Laned, LiftFree, RungeKutta, SchemeError, Splitting, StagesInLanes, Start,
     Substeps,
 };
-use heavytop::methods::{MethodError, SchemeName};
+use heavytop::methods::{Formulation, Method, MethodError, SchemeName};
 use heavytop::{
-    CollectiveGauss, GaussBatch, MidpointBatch, ReducedMidpoint, SpinorRealisation,
-    SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint,
+    GaussBatch, MidpointBatch, ReducedMidpoint, SpinorRealisation, SymmetricTopBatch,
+    SymmetricTopSplitting, TopMidpoint,
 };
-use lie_poisson::{LiePoisson, Se3, Se3Dual};
+use lie_poisson::Se3Dual;
 use momentum_map::DualQuaternions;
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
 /// The number of tops of an ensemble that the integrators for any system follow.
 const FEW: usize = 1000;
+
+/// The number of coordinates of (Π, Γ).
+const DIMENSION: usize = 6;
 
 /// The task of timing the integrators that suit a problem.
 pub struct Contest<'a> {
@@ -68,26 +71,23 @@ impl Contest<'_> {
         wanted
     }
 
-    fn single<I: Start<Momentum = Se3Dual>>(
+    fn single(
         &mut self,
         name: &str,
         step: f64,
-        integrator: &I,
+        integrator: &AnyIntegrator,
     ) -> Result<(), RunFailure> {
         if !self.wants(name) {
             return Ok(());
         }
         let problem = self.problem;
         let run = measure(name, step, problem, &mut |steps| {
-            let mut state = integrator.start(&problem.start(0))?;
-            let mut workspace = integrator.workspace();
-            for n in 0..steps {
-                let next = integrator.step(&state, step, &mut workspace).map_err(|source| {
-                    failed(name, IntegrationError { step: n + 1, time: n as f64 * step, source })
-                })?;
-                state = next.point;
-            }
-            Ok(vec![integrator.momentum(&state)])
+            let mut state = integrator.start(&AnyState::of(&problem.start(0)))?;
+            let mut workspace = Integrator::<f64>::workspace(integrator);
+            integrator
+                .advance(&mut state, step, 0..steps, &mut workspace)
+                .map_err(|reason| RunFailure::Timed { name: name.to_owned(), reason })?;
+            Ok(vec![TopInAxes::state(integrator.momentum(&state).as_slice())])
         })?;
         (self.done)(run);
         Ok(())
@@ -115,7 +115,9 @@ impl Contest<'_> {
                 results.1 = results.1.or(chunk.failures.first().copied());
             });
             let (states, failure) = results.into_inner().unwrap_or_else(PoisonError::into_inner);
-            failure.map_or(Ok(states), |failure| Err(failed(name, failure.source)))
+            failure.map_or(Ok(states), |failure| {
+                Err(RunFailure::Timed { name: name.to_owned(), reason: failure.source })
+            })
         })?;
         (self.done)(run);
         Ok(())
@@ -136,32 +138,35 @@ fn one_top(contest: &mut Contest<'_>) -> Result<(), RunFailure> {
         (4, 0.0625),
         (4, 0.02),
     ] {
-        let gauss = CollectiveGauss::new(stages, top).map_err(refused)?;
+        let gauss = method(Formulation::Collective, SchemeName::Gauss(stages))?.integrator(&top)?;
         let name = format!("heavytop collective Gauss-{}", 2 * stages);
         contest.single(&name, step, &gauss)?;
     }
     if let Ok(flows) = SymmetricTopSplitting::new(top) {
         for (name, step, substeps) in splittings() {
             let name = format!("heavytop {name}, one top");
-            contest.single(&name, step, &Splitting::alternating(flows, substeps))?;
+            let splitting = Splitting::alternating(flows, substeps);
+            contest.single(&name, step, &AnyIntegrator::new(splitting, DIMENSION))?;
         }
     }
-    let midpoint = TopMidpoint::new(top);
-    contest.single("heavytop lift-free midpoint", 0.01, &midpoint)?;
+    let midpoint = method(Formulation::Reduced, SchemeName::ImplicitMidpoint)?;
+    contest.single("heavytop lift-free midpoint", 0.01, &midpoint.integrator(&top)?)?;
 
+    // What has tangent maps is no kernel.
+    let gauss = method(Formulation::Collective, SchemeName::Gauss(8))?.tangent_integrator(&top)?;
+    let name = "heavytop any system: Gauss-16, one stage at a time";
+    contest.single(name, 0.25, &gauss.without_tangents())?;
     let gauss = RungeKutta::gauss(8).map_err(refused)?;
-    let general = Collective::new(gauss, SpinorRealisation, top);
-    contest.single("heavytop any system: Gauss-16, one stage at a time", 0.25, &general)?;
-    let side_by_side = StagesInLanes::widest(general);
-    contest.single("heavytop any system: Gauss-16", 0.25, &side_by_side)?;
-    let compensated = side_by_side.compensated();
+    let side_by_side = StagesInLanes::widest(Collective::new(gauss, SpinorRealisation, top));
+    let integrator = AnyIntegrator::new(side_by_side.clone(), DIMENSION);
+    contest.single("heavytop any system: Gauss-16", 0.25, &integrator)?;
+    let compensated = AnyIntegrator::new(side_by_side.compensated(), DIMENSION);
     contest.single("heavytop any system: Gauss-16, compensated", 0.25, &compensated)?;
-    let general = LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, top);
+    let general = midpoint.tangent_integrator(&top)?.without_tangents();
     contest.single("heavytop any system: lift-free midpoint", 0.01, &general)?;
-    let closed = ReducedMidpoint::new(top);
+    let closed = AnyIntegrator::new(ReducedMidpoint::new(top), DIMENSION);
     contest.single("heavytop any Hamiltonian: midpoint", 0.01, &closed)?;
-    let field = HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top };
-    let direct = Direct::new(RungeKutta::rk4(), field);
+    let direct = method(Formulation::Direct, SchemeName::Rk4)?.integrator(&top)?;
     contest.single("heavytop any system: RK4, direct", 0.01, &direct)?;
     Ok(())
 }
@@ -217,8 +222,9 @@ fn splittings() -> [(&'static str, f64, AlternatingSubsteps); 8] {
     ]
 }
 
-fn failed(name: &str, reason: IntegrationError) -> RunFailure {
-    RunFailure::Timed { name: name.to_owned(), reason }
+/// Returns the method of a formulation and a scheme, whose stages are solved to the round-off floor.
+fn method(formulation: Formulation, scheme: SchemeName) -> Result<Method, MethodError> {
+    Method::new(formulation, scheme, 0.0)
 }
 
 fn refused(reason: SchemeError) -> RunFailure {
