@@ -9,7 +9,6 @@ use crate::Error;
 use crate::configuration::Config;
 use crate::errors::Quotation;
 use crate::vocabulary::brief;
-use serde::Deserializer;
 use toml::Table;
 use toml::de::DeTable;
 
@@ -32,9 +31,10 @@ impl ConfigurationText {
     pub fn table(&self) -> Result<Table, Error> {
         let unread = |error| self.misread(&error, KeyPath::default());
         let text = readable(&self.text);
+        let table: Table = toml::from_str(&text).map_err(unread)?;
         // The text is first read by itself, since only its own text has lines to quote.
-        self.read(toml::Deserializer::parse(&text).map_err(unread)?)?;
-        toml::from_str(&text).map_err(unread)
+        self.read(table.clone())?;
+        Ok(table)
     }
 
     /// Returns the keys of the text, which has been read before.
@@ -46,11 +46,8 @@ impl ConfigurationText {
     ///
     /// # Errors
     /// If there are unknown keys or wrong types.
-    pub fn read<'de>(
-        &self,
-        from: impl Deserializer<'de, Error = toml::de::Error>,
-    ) -> Result<Config, Error> {
-        serde_path_to_error::deserialize(from).map_err(|error| {
+    pub fn read(&self, table: Table) -> Result<Config, Error> {
+        Config::of_table(table).map_err(|error| {
             let path = KeyPath::from(error.path());
             self.misread(&error.into_inner(), path)
         })
@@ -87,7 +84,8 @@ impl ConfigurationText {
         let own = message.strip_prefix('`').and_then(|rest| rest.split('`').next());
         path.0.extend(own.map(|key| Step::Key(key.into())));
         let at_path = path.span(&self.text).map(|(span, _)| span);
-        let span = if own.is_some() { at_path } else { error.span().or(at_path) };
+        let key = path.key_span(&self.text).filter(|_| message.starts_with(UNKNOWN));
+        let span = key.or(at_path).or(error.span());
         let of_system = message.starts_with(UNKNOWN)
             && matches!(path.0.first(), Some(Step::Key(table)) if table == "initial")
             && self.keys().is_some_and(|table| table.contains_key("system"));

@@ -21,19 +21,33 @@ impl KeyPath {
     /// Returns the place of the value in a text, or of the innermost value on the way to it, with the number of steps
     /// that lead there.
     pub fn span(&self, text: &str) -> Option<(Range<usize>, usize)> {
+        self.places(text).map(|(_, value, steps)| (value, steps))
+    }
+
+    /// Returns the place of the key itself in a text, if the path leads to a value with a key.
+    pub fn key_span(&self, text: &str) -> Option<Range<usize>> {
+        self.places(text).filter(|(_, _, steps)| *steps == self.0.len()).and_then(|(key, ..)| key)
+    }
+
+    /// Returns the places of the innermost value on the way and of its key, with the number of steps.
+    fn places(&self, text: &str) -> Option<(Option<Range<usize>>, Range<usize>, usize)> {
         let document = DeTable::parse(text).ok()?;
         let Some((Step::Key(key), rest)) = self.0.split_first() else { return None };
-        let mut value = document.get_ref().get(key.as_str())?;
-        let mut steps = 1;
+        let (key, mut value) = document.get_ref().get_key_value(key.as_str())?;
+        let (mut key, mut steps) = (Some(key.span()), 1);
         for step in rest {
             let inner = match step {
-                Step::Key(key) => value.get_ref().get(key.as_str()),
-                Step::Index(index) => value.get_ref().get(*index),
+                Step::Key(key) => value
+                    .get_ref()
+                    .as_table()
+                    .and_then(|table| table.get_key_value(key.as_str()))
+                    .map(|(key, value)| (Some(key.span()), value)),
+                Step::Index(index) => value.get_ref().get(*index).map(|value| (None, value)),
             };
             let Some(inner) = inner else { break };
-            (value, steps) = (inner, steps + 1);
+            ((key, value), steps) = (inner, steps + 1);
         }
-        Some((value.span(), steps))
+        Some((key, value.span(), steps))
     }
 }
 
@@ -89,6 +103,9 @@ mod tests {
             let (span, count) = KeyPath::from(path).span(text).unwrap();
             assert_eq!((&text[span], count), (found, steps));
         }
+        let key = |path: &str| KeyPath::from(path).key_span(text).map(|span| &text[span]);
+        assert_eq!([key("body"), key("body.inertia")], [Some("body"), Some("inertia")]);
+        assert_eq!([key("body.inertia[1]"), key("body.mass")], [None, None]);
         assert_eq!(KeyPath::from("body.mass").span(text).unwrap().1, 1);
         assert_eq!(KeyPath::from("output.every").span(text), None);
     }
