@@ -1,10 +1,11 @@
 //! Explicit methods applied directly to the equations of (Π, Γ) and of the attitude.
 
 use collective_integrators::{
-    Direct, HamiltonianField, Integrator, RungeKutta, Step, StepError, VectorField,
+    Direct, HamiltonianField, Integrator, RungeKutta, Start, Step, StepError, VectorField,
 };
-use heavytop::{HeavyTop, HeavyTopSpace};
+use heavytop::{HeavyTop, HeavyTopSpace, attitude_of_vertical};
 use lie_poisson::{LiePoisson, Pair, Quaternion, Se3, Se3Dual};
+use momentum_map::LiftError;
 
 /// The equations of motion together with those of the attitude, dA/dt = ½ A Ω.
 ///
@@ -66,5 +67,12 @@ impl Integrator for DirectWithAttitude {
     #[inline]
     fn momentum(&self, Pair(mu, _): &Self::State) -> Se3Dual {
         *mu
+    }
+}
+
+/// Starts with the shortest rotation to the vertical Γ.
+impl Start for DirectWithAttitude {
+    fn start(&self, mu: &Se3Dual) -> Result<Self::State, LiftError> {
+        Ok(Pair(*mu, attitude_of_vertical(&mu.0.1)))
     }
 }

@@ -2,13 +2,15 @@
 
 use crate::PageError;
 use crate::motions::direct_with_attitude::DirectWithAttitude;
-use crate::motions::motion::{Motion, Running};
+use crate::motions::motion::Motion;
 use crate::motions::snapshot::Snapshot;
-use collective_integrators::{Composition, RungeKutta, Splitting, Start, StepError, Substeps};
+use collective_integrators::{
+    AnyIntegrator, AnyState, Composition, RungeKutta, Splitting, Start, StepError, Substeps,
+};
 use heavytop::{
     HeavyTop, RotorSplitting, SymmetricTopSplitting, TopMidpoint, Turning, WithAttitude,
 };
-use lie_poisson::{InstructionSet, Pair, Se3Dual};
+use lie_poisson::{InstructionSet, Pair, Se3Dual, State, Vector};
 
 /// A method that the page offers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,62 +69,54 @@ impl PageMethod {
     ///
     /// # Errors
     /// Returns [`PageError`] if a number is not finite, if Γ = 0, or if there is no Gauss method with these stages.
-    pub(crate) fn motion(
-        self,
-        top: &HeavyTop,
-        from: &Snapshot,
-    ) -> Result<Box<dyn Motion>, PageError> {
+    pub(crate) fn motion(self, top: &HeavyTop, from: &Snapshot) -> Result<Motion, PageError> {
+        let start = Pair(from.momentum, from.attitude);
+        StepError::check_start(&start, 1.0).map_err(|error| PageError::of_step(0, 0.0, error))?;
+        let integrator = self.integrator(top)?;
+        let mut state = integrator.start(&AnyState::of(&from.momentum))?;
+        let first = state.dimension().saturating_sub(ATTITUDE);
+        (0..ATTITUDE).for_each(|i| state.set_entry(first + i, from.attitude.coordinate(i)));
+        Ok(Motion::new(integrator, state))
+    }
+
+    /// Returns the integrator with the attitude. It is made of its own type and not by a
+    /// [`Method`](heavytop::methods::Method), so that the module of the page has the code of these methods alone.
+    fn integrator(self, top: &HeavyTop) -> Result<AnyIntegrator, PageError> {
         let portable = InstructionSet::Portable;
-        match self {
+        Ok(match self {
             Self::Gauss { stages } => {
-                turning(top.gauss(stages.into())?.with_instructions(portable)?, from)
+                turning(top.gauss(stages.into())?.with_instructions(portable)?)
             }
-            Self::Midpoint => turning(TopMidpoint::new(*top).with_instructions(portable)?, from),
-            Self::Splitting => split(top, Substeps::new(&[1.0])?, from),
-            Self::Suzuki => split(top, Substeps::suzuki4(), from),
-            Self::RungeKutta4 => direct(RungeKutta::rk4(), top, from),
-            Self::ExplicitMidpoint => direct(RungeKutta::explicit_midpoint(), top, from),
-        }
+            Self::Midpoint => turning(TopMidpoint::new(*top).with_instructions(portable)?),
+            Self::Splitting => split(top, Substeps::new(&[1.0])?),
+            Self::Suzuki => split(top, Substeps::suzuki4()),
+            Self::RungeKutta4 => direct(RungeKutta::rk4(), top),
+            Self::ExplicitMidpoint => direct(RungeKutta::explicit_midpoint(), top),
+        })
     }
 }
 
-/// Starts the motion by an integrator that computes the attitude.
-fn turning<I>(integrator: I, from: &Snapshot) -> Result<Box<dyn Motion>, PageError>
+/// The number of coordinates of (Π, Γ), and of the attitude, which come last in a state.
+const DIMENSION: usize = 6;
+const ATTITUDE: usize = 4;
+
+/// Returns an integrator that computes the attitude.
+fn turning<I>(integrator: I) -> AnyIntegrator
 where
-    I: Turning + Start<Momentum = Se3Dual> + 'static,
+    I: Turning<State: Vector> + Start<Momentum = Se3Dual> + Send + Sync + 'static,
 {
-    let integrator = WithAttitude(integrator);
-    check(from)?;
-    let Pair(state, _) = integrator.start(&from.momentum)?;
-    Ok(Box::new(Running::new(integrator, Pair(state, from.attitude))))
+    AnyIntegrator::new(WithAttitude(integrator), DIMENSION)
 }
 
-/// Starts the motion by the composition of Strang splittings that suits the top.
-fn split(
-    top: &HeavyTop,
-    substeps: Substeps,
-    from: &Snapshot,
-) -> Result<Box<dyn Motion>, PageError> {
+/// Returns the composition of Strang splittings that suits the top.
+fn split(top: &HeavyTop, substeps: Substeps) -> AnyIntegrator {
     match SymmetricTopSplitting::new(*top) {
-        Ok(flows) => turning(Composition::new(Splitting::strang(flows), substeps), from),
-        Err(_) => {
-            turning(Composition::new(Splitting::strang(RotorSplitting(*top)), substeps), from)
-        }
+        Ok(flows) => turning(Composition::new(Splitting::strang(flows), substeps)),
+        Err(_) => turning(Composition::new(Splitting::strang(RotorSplitting(*top)), substeps)),
     }
 }
 
-/// Starts the motion by an explicit method, applied to the equations directly.
-fn direct(
-    scheme: RungeKutta,
-    top: &HeavyTop,
-    from: &Snapshot,
-) -> Result<Box<dyn Motion>, PageError> {
-    check(from)?;
-    let state = Pair(from.momentum, from.attitude);
-    Ok(Box::new(Running::new(DirectWithAttitude::new(scheme, *top), state)))
-}
-
-fn check(from: &Snapshot) -> Result<(), PageError> {
-    let start = Pair(from.momentum, from.attitude);
-    StepError::check_start(&start, 1.0).map_err(|error| PageError::of_step(0, 0.0, error))
+/// Returns an explicit method, applied to the equations directly.
+fn direct(scheme: RungeKutta, top: &HeavyTop) -> AnyIntegrator {
+    AnyIntegrator::new(DirectWithAttitude::new(scheme, *top), DIMENSION)
 }

@@ -20,7 +20,7 @@ pub struct Simulation {
     top: HeavyTop,
     method: PageMethod,
     clock: Clock,
-    motion: Box<dyn Motion>,
+    motion: Motion,
     measurement: Measurement,
     section: Result<SectionRecord, SectionError>,
 }
