@@ -109,7 +109,7 @@ fn the_mass_is_conserved_to_round_off() -> Result<(), Box<dyn std::error::Error>
     let gauss = Collective::new(RungeKutta::gauss(3)?, MomentumMap(Poincare), Automatic(Rotor));
     let start = Cotangent::new(Vector2::new(0.4, -0.2), Covector(Vector2::new(0.3, 0.8)));
     let (first, mass) = (Poincare.momentum(&start), |j: &Vector3<f64>| j.y * j.y - j.z * j.z);
-    for sample in gauss.trajectory_from(start, 0.05).take(100_001) {
+    for sample in gauss.trajectory_from(start, 0.05).take(20_001) {
         let j = sample?.momentum;
         assert!((mass(&j.0) - mass(&first.0)).abs() < 1e-12);
         assert!((Rotor.energy(&j) - Rotor.energy(&first)).abs() < 1e-8); // of order 6

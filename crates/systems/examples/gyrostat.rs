@@ -1,7 +1,7 @@
 //! Integrates a free gyrostat: a body with a spinning rotor inside, without weight.
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example gyrostat -- [PICTURE]
+//! cargo run --release -p systems-examples --bin gyrostat -- [PICTURE]
 //! ```
 //!
 //! A body turns unstably about its middle axis. A rotor along this axis makes the rotation stable ("dual spin"; P. S.

@@ -1,7 +1,7 @@
 //! Integrates a vortex and an antivortex in a plane lattice of spins with an easy plane, by the spherical midpoint method.
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example heisenberg_lattice -- \
+//! cargo run --release -p systems-examples --bin heisenberg_lattice -- \
 //!     [SIZE [EXCHANGE [ANISOTROPY [FIELD [END]]]]] [PICTURE]
 //! ```
 //!

@@ -1,7 +1,7 @@
 //! Integrates Kida's elliptical vortex on so(2, 1)∗, collectively through the Clebsch map T∗so(2, 1) → so(2, 1)∗.
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example kida_vortex -- [PICTURE]
+//! cargo run --release -p systems-examples --bin kida_vortex -- [PICTURE]
 //! ```
 //!
 //! Prints the largest relative deviations of the energy h and of the Casimir a²b² up to t = 100 s and t = 1000 s, for steps

@@ -1,7 +1,7 @@
 //! Integrates a heavy top on a base that moves freely, collectively through a Clebsch map to (se(3) ⋉ R³)∗.
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example movable_base -- [PICTURE]
+//! cargo run --release -p systems-examples --bin movable_base -- [PICTURE]
 //! ```
 //!
 //! The same top of 1 kg starts with the same spin on bases of 0.5, 3 and 10⁹ kg. The last one is a fixed point. Prints the

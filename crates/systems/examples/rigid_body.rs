@@ -1,7 +1,7 @@
 //! Integrates the free rigid body in N dimensions on so(N)∗ by a collective Gauss method.
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example rigid_body -- [N [END]] [PICTURE]
+//! cargo run --release -p systems-examples --bin rigid_body -- [N [END]] [PICTURE]
 //! ```
 //!
 //! The body has the second moments 1, 1.5, 2, … kg m² along its N axes (default 5). Prints the largest deviations up to

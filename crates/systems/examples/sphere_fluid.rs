@@ -1,7 +1,7 @@
 //! An ideal fluid on the sphere, by Zeitlin's model: many vortices merge into a few large ones.
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example sphere_fluid -- [SIZE [END]] [PICTURE]
+//! cargo run --release -p systems-examples --bin sphere_fluid -- [SIZE [END]] [PICTURE]
 //! ```
 //!
 //! The start has harmonics of degree 2 to 10 with coefficients without a pattern, no angular momentum and a root mean square

@@ -1,7 +1,7 @@
 //! Integrates a periodic Heisenberg chain of 12 classical spins, without and with a magnetic field.
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example spin_chain -- [PICTURE]
+//! cargo run --release -p systems-examples --bin spin_chain -- [PICTURE]
 //! ```
 //!
 //! Prints the largest deviations up to t = 25 of the energy, of the lengths |s_i| and of the components of the total

@@ -2,7 +2,7 @@
 //! long axis, but turns broadside on, since the fluid that it drags is heavier there.
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example vehicle -- [PICTURE]
+//! cargo run --release -p systems-examples --bin vehicle -- [PICTURE]
 //! ```
 //!
 //! Prints, every 4 s up to t = 40 s, the angle of the impulse P with the long axis, which grows from 1° beyond 150°

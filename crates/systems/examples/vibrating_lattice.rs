@@ -1,7 +1,7 @@
 //! Integrates spins on a chain of moving atoms: a twist of the spins sets the atoms in motion.
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example vibrating_lattice -- [PICTURE]
+//! cargo run --release -p systems-examples --bin vibrating_lattice -- [PICTURE]
 //! ```
 //!
 //! Prints the largest deviations up to t = 30 of the energy h, of the lengths |s_i|, of the total spin S and of the total

@@ -1,7 +1,7 @@
 //! Integrates four point vortices on the unit sphere, on (so(3)∗)⁴, collectively through one Hopf map each.
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example vortices -- [PICTURE]
+//! cargo run --release -p systems-examples --bin vortices -- [PICTURE]
 //! ```
 //!
 //! Prints the largest deviations up to t = 50 s of the energy h, of the distances |x_i| from the centre and of the

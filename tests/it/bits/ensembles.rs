@@ -160,7 +160,7 @@ fn any_collective_system_gets_lanes_and_threads() {
         Cotangent::new(Vector3::new(1.0, 0.0, x), Covector(Vector3::new(0.5, 0.1 * x, 1.0)))
     };
     let members: Vec<_> = (0..300).map(start).collect();
-    let (ends, ..) = alone(&particle, &members, 0.01, 50);
+    let (ends, ..) = alone(&particle, &members, 0.01, 0..50);
     Ensemble::new(Laned::new(particle)).stream(300, start, 0.01, 50, |chunk| {
         assert!(chunk.failures.is_empty());
         for (index, z) in (chunk.first..).zip(chunk.members) {

@@ -55,30 +55,34 @@ fn casimir_change(s: f64, step: f64) -> f64 {
     })
 }
 
-struct Orders;
+/// Finds the order from runs of these numbers of steps.
+struct Orders(&'static [u64]);
 
-fn order<R: Representation<Algebra = StructureConstants<N>>, const N: usize>(r: R) -> f64 {
+fn order<R: Representation<Algebra = StructureConstants<N>>, const N: usize>(
+    r: R,
+    steps: &[u64],
+) -> f64 {
     let map = clebsch_realisation(r, Side::Right).unwrap();
     let mu = samples::<Covector<SVector<f64, N>>>(1)[0];
     let field = HamiltonianField { space: map.target(), hamiltonian: Automatic(Generic) };
     let exact = Direct::new(RungeKutta::gauss(4).unwrap(), field).after(&mu, 0.025, 32).unwrap();
     let gauss = Collective::new(RungeKutta::gauss(2).unwrap(), map, Automatic(Generic));
-    let error = |steps: u64| {
+    let error = |&steps: &u64| {
         let step = 0.8 / steps as f64;
         let end = gauss.after(&mu, step, steps).unwrap().momentum;
         (step, (end - exact.momentum).max_abs())
     };
-    // Two steps are so long that z is lifted anew in some of the runs alone.
-    fitted_order(&[4, 8, 16, 32].map(error), 1e-14).unwrap()
+    // Two of four steps in all are so long that z is lifted anew in some of the runs alone.
+    fitted_order(&steps.iter().map(error).collect::<Vec<_>>(), 1e-14).unwrap()
 }
 
 impl Check for Orders {
     fn check<const N: usize>(&mut self, entry: &Entry) {
         let algebra = table::<N>(entry, 1.0).unwrap();
         let order = if WITHOUT_DERIVATION.contains(&entry.name) {
-            order(coextended(&algebra).unwrap())
+            order(coextended(&algebra).unwrap(), self.0)
         } else {
-            order(extended(&algebra).unwrap())
+            order(extended(&algebra).unwrap(), self.0)
         };
         assert!((order - 4.0).abs() < 0.4, "{}: {order}", entry.name);
     }
@@ -87,7 +91,13 @@ impl Check for Orders {
 /// Structure constants in, collective integrator out: the Gauss method of order 4 has order 4 on every 𝔤∗.
 #[test]
 fn collective_gauss_methods_have_their_order_on_all_algebras() {
-    assert_eq!(every_algebra(&mut Orders), 62);
+    assert_eq!(every_algebra(&mut Orders(&[4, 8, 16])), 62);
+}
+
+#[test]
+#[ignore = "long"]
+fn collective_gauss_methods_have_their_order_at_four_steps() {
+    assert_eq!(every_algebra(&mut Orders(&[4, 8, 16, 32])), 62);
 }
 
 /// On A3,3, whose representation has its odd powers, the Gauss method of order 4 keeps the Casimir to round-off. The

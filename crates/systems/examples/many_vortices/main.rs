@@ -1,7 +1,7 @@
 //! Integrates point vortices on the unit sphere, as many as a file contains, by the spherical midpoint method.
 //!
 //! ```text
-//! cargo run --release -p lie-poisson-systems --example many_vortices -- [FILE.csv [END]] [PICTURE]
+//! cargo run --release -p systems-examples --bin many_vortices -- [FILE.csv [END]] [PICTURE]
 //! ```
 //!
 //! The FILE has the header `strength,x,y,z` or `strength,latitude,longitude`, and one vortex a line: the strength in m²/s,

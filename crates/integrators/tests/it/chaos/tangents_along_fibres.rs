@@ -119,17 +119,27 @@ fn particle(along: f64) -> Cotangent<Vector3<f64>> {
 
 #[test]
 fn exponents_of_lifted_states_are_those_of_a_symplectic_map() {
+    exponents_are_those_of_a_symplectic_map(30);
+}
+
+#[test]
+#[ignore = "long"]
+fn exponents_of_longer_runs_are_those_of_a_symplectic_map() {
+    exponents_are_those_of_a_symplectic_map(100);
+}
+
+fn exponents_are_those_of_a_symplectic_map(steps: usize) {
     let fields = MomentumMap(Opposite(AffineAction(Diagonal::<_, 2>(SO3OnR3))));
     let so3 = clebsch_map(InfinitesimalAdjoint(So3), Side::Left);
     let moved = has_pairs("particle", integrators(PARTICLE), particle(70.0), cotangent::<6>(), 100);
     assert!(moved, "the run from a point far out moves it");
-    has_pairs("two fields", integrators(fields), generic(), cotangent::<12>(), 50);
-    has_pairs("so(3)", integrators(so3), generic(), cotangent::<6>(), 100);
-    has_pairs("Hopf", integrators(HOPF), generic(), planes::<4>(), 100);
-    has_pairs("u(2)", integrators(unitary_realisation::<2>()), generic(), planes::<4>(), 100);
+    has_pairs("two fields", integrators(fields), generic(), cotangent::<12>(), steps / 2);
+    has_pairs("so(3)", integrators(so3), generic(), cotangent::<6>(), steps);
+    has_pairs("Hopf", integrators(HOPF), generic(), planes::<4>(), steps);
+    has_pairs("u(2)", integrators(unitary_realisation::<2>()), generic(), planes::<4>(), steps);
     let plane = QuadraticMomentumMap::new(Sum(SL2OnR2, Reversed(SL2OnR2)), Side::Right);
     // The two planes have scales of their own, so that pairs are exact in the limit alone.
-    spectrum("sl(2)", integrators(plane), generic(), planes::<4>(), 100);
+    spectrum("sl(2)", integrators(plane), generic(), planes::<4>(), steps);
 }
 
 /// Checks that DM takes the tangent vectors of a lifted state to those of μ, by steps that lift μ anew each time.
@@ -161,10 +171,20 @@ where
 
 #[test]
 fn tangent_vectors_of_momenta_are_images_of_those_of_lifted_states() {
-    descends("particle", PARTICLE, particle(0.0), 1500);
-    descends("far particle", PARTICLE, particle(70.0), 300);
-    descends("Hopf", HOPF, generic(), 300);
-    descends("u(2)", unitary_realisation::<2>(), generic(), 300);
+    tangent_vectors_of_momenta_are_images(100);
+}
+
+#[test]
+#[ignore = "long"]
+fn tangent_vectors_of_longer_runs_are_images_of_those_of_lifted_states() {
+    tangent_vectors_of_momenta_are_images(300);
+}
+
+fn tangent_vectors_of_momenta_are_images(steps: usize) {
+    descends("particle", PARTICLE, particle(0.0), 5 * steps);
+    descends("far particle", PARTICLE, particle(70.0), steps);
+    descends("Hopf", HOPF, generic(), steps);
+    descends("u(2)", unitary_realisation::<2>(), generic(), steps);
     let plane = QuadraticMomentumMap::new(Sum(SL2OnR2, Reversed(SL2OnR2)), Side::Right);
-    descends("sl(2)", plane, generic(), 100);
+    descends("sl(2)", plane, generic(), steps / 3);
 }

@@ -41,11 +41,17 @@ fn in_parts<I: Integrator>(
     z
 }
 
-/// Checks that many steps at once have the bits of the steps of a loop and of a trajectory, wherever they are divided.
-fn keeps_the_bits<I: Integrator<State: PartialEq>>(integrator: &I, start: &I::State) {
+/// Checks that many steps at once have the bits of the steps of a loop and of a trajectory, wherever they are divided: in
+/// the middles, and between every so many.
+fn keeps_the_bits<I: Integrator<State: PartialEq>>(
+    integrator: &I,
+    start: &I::State,
+    middles: &[u64],
+    intervals: &[usize],
+) {
     const STEPS: u64 = CHECKPOINT + 50;
     let end = loop_of_steps(integrator, start.clone(), 0.1, STEPS);
-    for middle in [0, 700, CHECKPOINT, CHECKPOINT + 1] {
+    for &middle in middles {
         assert!(in_parts(integrator, start.clone(), 0.1, [middle, STEPS], false) == end);
     }
     assert!(in_parts(integrator, start.clone(), 0.1, [CHECKPOINT, STEPS], true) == end);
@@ -55,7 +61,7 @@ fn keeps_the_bits<I: Integrator<State: PartialEq>>(integrator: &I, start: &I::St
     let run = || integrator.trajectory_from(start.clone(), 0.1);
     let all: Vec<_> = run().take(STEPS as usize + 1).map(Result::unwrap).collect();
     assert!(all.last().is_some_and(|sample| sample.state == end));
-    for n in [1, 100, CHECKPOINT as usize + 1] {
+    for &n in intervals {
         let expected = all.iter().step_by(n);
         let found = run().every(NonZero::new(n).unwrap()).map(Result::unwrap);
         assert!(expected.clone().zip(found).all(|(a, b)| {
@@ -99,7 +105,8 @@ impl Integrator for Remembering {
 #[test]
 fn a_workspace_remembers_until_the_next_checkpoint() {
     let start = Vector1::zeros();
-    keeps_the_bits(&Remembering, &start);
+    let middles = [0, 700, CHECKPOINT, CHECKPOINT + 1];
+    keeps_the_bits(&Remembering, &start, &middles, &[1, 100, CHECKPOINT as usize + 1]);
     // Control: with another workspace the steps before are forgotten, which only a checkpoint permits.
     let end =
         |middle, renewed| in_parts(&Remembering, start, 0.1, [middle, CHECKPOINT + 9], renewed);
@@ -110,15 +117,16 @@ fn a_workspace_remembers_until_the_next_checkpoint() {
 #[test]
 fn many_steps_at_once_have_the_bits_of_single_ones() {
     let pendulum = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x.sin()));
-    keeps_the_bits(&Direct::new(RungeKutta::gauss(2).unwrap(), pendulum), &Vector2::x());
+    let direct = Direct::new(RungeKutta::gauss(2).unwrap(), pendulum);
+    keeps_the_bits(&direct, &Vector2::x(), &[700, CHECKPOINT + 1], &[1, CHECKPOINT as usize + 1]);
     let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.x * 0.5 + pi.y * pi.y);
     let collective = Collective::new(RungeKutta::gauss(2).unwrap(), HOPF, h);
     let mu = Covector(Vector3::new(0.6, 0.3, 0.8));
-    keeps_the_bits(&collective, &collective.start(&mu).unwrap());
+    keeps_the_bits(&collective, &collective.start(&mu).unwrap(), &[700], &[100]);
     // The rounding errors that are carried along are a part of the state.
     let compensated = collective.compensated();
     let start = compensated.start(&mu).unwrap();
-    keeps_the_bits(&compensated, &start);
+    keeps_the_bits(&compensated, &start, &[700], &[100]);
     assert!(loop_of_steps(&compensated, start, 0.1, 100).1 != start.1);
 }
 
