@@ -1,20 +1,12 @@
 //! The measurement of a motion, whatever its integrator.
 
 use super::course::Course;
+use super::gauge::Gauge;
 use crate::Error;
 use crate::configuration::Observable;
 use collective_integrators::{AnyIntegrator, AnyState, AnyTangents};
 use heavytop::methods::Method;
 use lie_poisson_runs::TangentGrowth;
-
-/// The measurements along a motion, besides those of its tangent vectors.
-pub(super) trait Gauge {
-    /// Takes notice of the momentum after a step, at a time (s).
-    fn observe(&mut self, time: f64, momentum: &[f64]);
-
-    /// Returns the values of the columns of an observable that needs no tangent vectors, at the end of the motion.
-    fn values(&self, observable: Observable, end: &[f64]) -> Vec<Option<f64>>;
-}
 
 /// Follows the motion from a start, and returns the values of the columns of all observables. `method` is the one of the
 /// integrator.
@@ -24,7 +16,7 @@ pub(super) trait Gauge {
 pub(super) fn measure(
     integrator: &AnyIntegrator<dyn AnyTangents>,
     start: &AnyState,
-    gauge: &mut dyn Gauge,
+    gauge: &mut Gauge<'_>,
     course: &Course,
     method: &Method,
 ) -> Result<Vec<Option<f64>>, Error> {

@@ -2,9 +2,9 @@
 
 pub(super) mod course;
 pub(super) mod family;
+mod gauge;
 mod measured_motion;
 mod fixed_values;
 pub(super) mod top_family;
 mod varied_number;
-mod system_gauge;
 pub(super) mod system_family;

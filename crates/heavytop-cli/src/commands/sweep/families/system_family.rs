@@ -2,8 +2,8 @@
 
 use super::course::Course;
 use super::family::{Family, own_integration, require_apart};
+use super::gauge::{Gauge, Quantity, in_columns};
 use super::measured_motion::measure;
-use super::system_gauge::SystemGauge;
 use super::varied_number::{VariedNumber, component};
 use crate::Error;
 use crate::configuration::{
@@ -17,7 +17,6 @@ use heavytop::methods::Method;
 use lie_poisson_formula_systems::FormulaSystem;
 use lie_poisson_runs::Model;
 use lie_poisson_runs::step_angle::require_run;
-use std::cell::RefCell;
 
 /// Motions of a system, whose parameters or initial states differ.
 #[derive(Clone, Debug, PartialEq)]
@@ -225,16 +224,17 @@ impl Family for SystemFamily {
 
     fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error> {
         let (system, start) = self.system(values, course.schedule.step)?;
-        let undefined = RefCell::new(None);
-        let columns = self.system.casimir_degrees();
+        let casimirs = in_columns(system.casimir_degrees(), self.system.casimir_degrees());
+        let casimirs = casimirs.into_iter().map(|place| system.casimirs().get(place?));
+        let quantities = std::iter::once(Some(system.hamiltonian())).chain(casimirs);
+        let quantities = quantities.map(|f| f.map(|f| f as &dyn Quantity)).collect();
         let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
-        let mut gauge = SystemGauge::new(&system, (&start, wants_sizes), columns, &undefined);
+        let mut gauge = Gauge::new(&system, quantities, (&start, wants_sizes));
         let integrator = system.tangent_integrator(&self.method, &start)?;
         let from = AnyState::from_slice(&start);
         let measured = measure(&integrator, &from, &mut gauge, course, self.method())?;
-        drop(gauge);
-        if let Some(state) = undefined.into_inner() {
-            system.invariants(&state)?;
+        if let Some(state) = gauge.undefined() {
+            system.invariants(state)?;
         }
         Ok(measured)
     }

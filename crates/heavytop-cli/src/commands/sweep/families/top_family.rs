@@ -3,7 +3,8 @@
 use super::course::Course;
 use super::family::{Family, own_integration, require_apart};
 use super::fixed_values::fixed_values;
-use super::measured_motion::{Gauge, measure};
+use super::gauge::{Gauge, Quantity};
+use super::measured_motion::measure;
 use crate::Error;
 use crate::configuration::{
     BodyConfig, Column, Config, Inertia, InitialConfig, Integration, Observable, Parameter,
@@ -11,10 +12,9 @@ use crate::configuration::{
 };
 use crate::errors::SweepError;
 use collective_integrators::AnyState;
-use collective_integrators::diagnostics::InvariantSize;
+use heavytop::Invariant;
 use heavytop::methods::{Formulation, Method};
-use heavytop::{Invariant, Nutation};
-use lie_poisson::{DualNumber, Se3Dual, Vector, larger, seed};
+use lie_poisson::Se3Dual;
 use lie_poisson_runs::step_angle::require_sane_step;
 use lie_poisson_runs::{Model, TopInAxes};
 
@@ -180,8 +180,12 @@ impl Family for TopFamily {
 
     fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error> {
         let (model, start) = self.top(values, course.schedule.step)?;
+        let from = TopInAxes::coordinates(&start);
+        let quantities = CONSERVED.map(|invariant| (model.top, invariant));
+        let each = quantities.iter().map(|quantity| Some(quantity as &dyn Quantity)).collect();
         let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
-        let mut gauge = TopGauge::new(model, (&start, wants_sizes));
+        let gauge = Gauge::new(&model, each, (&from, wants_sizes));
+        let mut gauge = gauge.with_nutation(&model.top, &from);
         let integrator = self.method.tangent_integrator(&model.top)?;
         measure(&integrator, &AnyState::of(&start), &mut gauge, course, self.method())
     }
@@ -189,73 +193,6 @@ impl Family for TopFamily {
 
 const CONSERVED: [Invariant; 3] =
     [Invariant::Energy, Invariant::VerticalSquared, Invariant::VerticalMomentum];
-
-/// The measurements of a top: the deviations of its invariants, and its nutation.
-struct TopGauge {
-    model: TopInAxes,
-    initial: [f64; 3],
-    drift: [f64; 3],
-    /// The sizes of the invariants along the motion, if an observable is relative to them.
-    sizes: Option<[InvariantSize; 3]>,
-    nutation: Nutation,
-}
-
-impl TopGauge {
-    /// Creates the gauge of a top, with the sizes of its invariants if they are wanted.
-    fn new(model: TopInAxes, (start, wants_sizes): (&Se3Dual, bool)) -> Self {
-        let top = &model.top;
-        let mut nutation = Nutation::new(top);
-        nutation.observe(0.0, start);
-        let initial = CONSERVED.map(|invariant| invariant.value(top, start));
-        let size = |_| InvariantSize::new([0..3, 3..6]);
-        let sizes = wants_sizes.then(|| CONSERVED.map(size));
-        let mut gauge = Self { model, initial, drift: [0.0; 3], sizes, nutation };
-        gauge.include_sizes(start);
-        gauge
-    }
-
-    /// Raises the sizes of the invariants to those at a state.
-    fn include_sizes(&mut self, mu: &Se3Dual) {
-        let Self { model: TopInAxes { top, .. }, sizes: Some(sizes), .. } = self else { return };
-        let state = TopInAxes::coordinates(mu);
-        for (size, invariant) in sizes.iter_mut().zip(CONSERVED) {
-            let slope = |i| {
-                let moved: Se3Dual<DualNumber> = seed(mu, &Vector::basis(i));
-                invariant.value(top, &moved).derivative()
-            };
-            size.include(&state, &std::array::from_fn::<f64, 6, _>(slope));
-        }
-    }
-}
-
-impl Gauge for TopGauge {
-    fn observe(&mut self, time: f64, mu: &[f64]) {
-        let mu = &TopInAxes::state(mu);
-        self.nutation.observe(time, mu);
-        for ((drift, initial), invariant) in self.drift.iter_mut().zip(self.initial).zip(CONSERVED)
-        {
-            *drift = larger(*drift, (invariant.value(&self.model.top, mu) - initial).abs());
-        }
-        self.include_sizes(mu);
-    }
-
-    fn values(&self, observable: Observable, end: &[f64]) -> Vec<Option<f64>> {
-        match observable {
-            Observable::FinalState => {
-                let end = self.model.given(&TopInAxes::state(end));
-                TopInAxes::coordinates(&end).map(Some).to_vec()
-            }
-            Observable::InvariantDrift => self.drift.map(Some).to_vec(),
-            Observable::RelativeDrift => {
-                let sizes = self.sizes.iter().flatten();
-                sizes.zip(self.drift).map(|(size, drift)| Some(size.relative(drift))).collect()
-            }
-            Observable::RotationNumber => vec![self.nutation.rotation_number()],
-            Observable::NutationAmplitude => vec![self.nutation.amplitude()],
-            Observable::Lyapunov | Observable::Megno | Observable::Sali => Vec::new(),
-        }
-    }
-}
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
