@@ -28,12 +28,6 @@ impl<T: Real> FlatState<T> {
         zero.with(v)
     }
 
-    /// Returns whether the coordinates have the blocks of those of v.
-    pub(crate) fn has_shape_of<V: State<Scalar = T>>(&self, v: &V) -> bool {
-        let block = |i| v.block_of(i).min(MOST_BLOCKS - 1);
-        self.blocks.iter().copied().eq((0..v.dimension()).map(block))
-    }
-
     /// Returns the coordinates of another state of the space that this one is from.
     pub(crate) fn with<V: State<Scalar = T>>(&self, v: &V) -> Self {
         let mut flat = self.clone();
