@@ -88,6 +88,51 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compensated<I>(pub(crate) I);
 
+impl<I: Increments> Compensated<I> {
+    /// Creates the integrator that adds the increments of another one. Those of this crate have a method `compensated`, too.
+    ///
+    /// # Example
+    /// An integrator of one's own, for dx/dt = 1. The additions of 10⁵ steps round off some 10⁻⁸, which is carried along:
+    /// ```
+    /// use collective_integrators::{Compensated, Increment, Increments, Integrator, Step, StepError};
+    /// use lie_poisson::Pair;
+    /// use nalgebra::Vector1;
+    ///
+    /// struct Walk;
+    /// impl Integrator for Walk {
+    ///     type State = Vector1<f64>;
+    ///     type Momentum = Vector1<f64>;
+    ///     type Workspace = ();
+    ///     fn workspace(&self) {}
+    ///     fn forget(&self, (): &mut ()) {}
+    ///     fn step(&self, x: &Vector1<f64>, h: f64, (): &mut ()) -> Result<Step<Vector1<f64>>, StepError> {
+    ///         Ok(Step { point: x.add_scalar(h), iterations: 0 })
+    ///     }
+    ///     fn momentum(&self, x: &Vector1<f64>) -> Vector1<f64> {
+    ///         *x
+    ///     }
+    /// }
+    /// impl Increments for Walk {
+    ///     fn increment(
+    ///         &self,
+    ///         _: &Pair<Vector1<f64>, Vector1<f64>>,
+    ///         h: f64,
+    ///         (): &mut (),
+    ///     ) -> Result<Increment<Vector1<f64>>, StepError> {
+    ///         Ok(Step { point: Pair(Vector1::new(h), Vector1::zeros()), iterations: 0 })
+    ///     }
+    /// }
+    /// let (zero, steps) = (Vector1::zeros(), 100_000);
+    /// let error = |end: Vector1<f64>| (end.x - 1e4).abs();
+    /// assert!(error(Walk.after_from(zero, 0.1, steps)?.momentum) > 1e-9);
+    /// assert!(error(Compensated::new(Walk).after_from(Pair(zero, zero), 0.1, steps)?.momentum) < 1e-11);
+    /// # Ok::<(), collective_integrators::IntegrationError>(())
+    /// ```
+    pub fn new(integrator: I) -> Self {
+        Self(integrator)
+    }
+}
+
 impl<I> Compensated<I> {
     /// Returns the integrator whose increments are added.
     pub fn base(&self) -> &I {

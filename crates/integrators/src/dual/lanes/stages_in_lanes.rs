@@ -57,7 +57,7 @@ pub struct StagesInLanes<I> {
     instructions: InstructionSet,
 }
 
-impl<I> StagesInLanes<I> {
+impl<I: FieldInLanes> StagesInLanes<I> {
     /// Creates the integrator on the lanes that every processor has.
     pub fn new(integrator: I) -> Self {
         Self { integrator, instructions: InstructionSet::Portable }

@@ -162,6 +162,36 @@ pub trait Integrator<T: Real = f64> {
         Trajectory::new(self, state, 0, step)
     }
 
+    /// Returns the sample after `steps` steps of size `step` from a state at t = 0.
+    ///
+    /// No earlier sample is stored. After 0 steps the result is the sample of the state itself.
+    ///
+    /// # Errors
+    /// Returns [`IntegrationError`] with the number, the time and the reason if a step fails, or if the state or the step
+    /// size is not finite.
+    ///
+    /// # Example
+    /// A rotor returns after 2π:
+    /// ```
+    /// use collective_integrators::{Direct, Integrator, RungeKutta, from_fn};
+    /// use nalgebra::Vector2;
+    /// let rotor = Direct::new(RungeKutta::gauss(4)?, from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x)));
+    /// let end = rotor.after_from(Vector2::x(), core::f64::consts::TAU / 100.0, 100)?;
+    /// assert!(end.step == 100 && (end.state - Vector2::x()).norm() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    fn after_from(
+        &self,
+        state: Self::State,
+        step: f64,
+        steps: u64,
+    ) -> Result<SampleOf<Self, T>, IntegrationError>
+    where
+        Self: Sized,
+    {
+        self.trajectory_from(state, step).after(steps)
+    }
+
     /// Creates the trajectory that continues from a sample of another run, and continues its step numbers and times.
     ///
     /// `state` is the state after `made` steps of size `step`. The trajectory fails as

@@ -29,7 +29,7 @@ where
 }
 
 /// Returns the integrator with its stages side by side, for each instruction set of the processor.
-fn on_every_set<I: Clone>(integrator: &I) -> impl Iterator<Item = StagesInLanes<I>> {
+fn on_every_set<I: FieldInLanes + Clone>(integrator: &I) -> impl Iterator<Item = StagesInLanes<I>> {
     let lanes = StagesInLanes::new(integrator.clone());
     InstructionSet::available().map(move |set| lanes.clone().with_instructions(set).unwrap())
 }

@@ -6,8 +6,8 @@ use crate::input::Input;
 use crate::targets::conservation::top_holds;
 use crate::targets::one_step::top;
 use collective_integrators::{
-    Collective, Composition, Direct, HamiltonianField, LiftFree, RungeKutta, StagesInLanes, Start,
-    Substeps,
+    Collective, Composition, Direct, FieldInLanes, HamiltonianField, LiftFree, RungeKutta,
+    StagesInLanes, Start, Substeps,
 };
 use heavytop::{HeavyTop, SpinorRealisation};
 use lie_poisson::generic_scalars::InstructionSet;
@@ -53,7 +53,7 @@ fn holds<I: Start<Momentum = Se3Dual>>(integrator: &I, case: &Case) -> bool {
 }
 
 /// Returns the integrator on some instruction set of the processor.
-fn lanes<I>(input: &mut Input<'_>, integrator: I) -> Option<StagesInLanes<I>> {
+fn lanes<I: FieldInLanes>(input: &mut Input<'_>, integrator: I) -> Option<StagesInLanes<I>> {
     let sets: Vec<_> = InstructionSet::available().collect();
     let set = *sets.get(input.choice(sets.len()))?;
     StagesInLanes::new(integrator).with_instructions(set).ok()
