@@ -72,7 +72,7 @@ fn order<R: Representation<Algebra = StructureConstants<N>>, const N: usize>(
         let end = gauss.after(&mu, step, steps).unwrap().momentum;
         (step, (end - exact.momentum).max_abs())
     };
-    // Two of four steps in all are so long that z is lifted anew in some of the runs alone.
+    // The two longest steps are so long that z is lifted anew in some of the runs alone.
     fitted_order(&steps.iter().map(error).collect::<Vec<_>>(), 1e-14).unwrap()
 }
 

@@ -54,8 +54,15 @@ impl<A: LieAlgebra> ExtendedAdjoint<A> {
         Self::of_summand(algebra, A::Element::<f64>::DIM)
     }
 
-    /// Creates the extension of the direct sum of an algebra, spanned by the first `dimension` basis vectors, and an abelian
-    /// one. It is that of the first [by itself](Self::of): the derivation vanishes on the second.
+    /// Creates the extension of the direct sum 𝔤 ⊕ Rᵏ of an algebra 𝔤, spanned by the first `dimension` basis vectors, and
+    /// an abelian one. It is that of 𝔤 [by itself](Self::of), up to rounding errors, with the derivation
+    ///
+    /// ```text
+    /// (ξ, η) ↦ (Dξ, 0)
+    /// ```
+    ///
+    /// Derivations of a direct sum have blocks that do not depend on each other, so that the nearest one has the nearest
+    /// blocks. If the algebra is no such sum, the derivation is the one nearest to the projection on the first vectors.
     ///
     /// # Errors
     /// Returns the errors of [`of`](Self::of).
@@ -96,8 +103,14 @@ impl<A: LieAlgebra> ExtendedCoadjoint<A> {
         Self::of_summand(algebra, A::Element::<f64>::DIM)
     }
 
-    /// Creates the extension of the direct sum of an algebra, spanned by the first `dimension` basis vectors, and an abelian
-    /// one. It is that of the first [by itself](Self::of): the cocycle vanishes on the second, and has no values in its dual.
+    /// Creates the extension of the direct sum 𝔤 ⊕ Rᵏ of an algebra 𝔤, spanned by the first `dimension` basis vectors, and
+    /// an abelian one. It is that of 𝔤 [by itself](Self::of), up to rounding errors, with the cocycle
+    ///
+    /// ```text
+    /// (ξ, η) ↦ (c(ξ), 0)
+    /// ```
+    ///
+    /// for the reason that [`ExtendedAdjoint::of_summand`] states.
     ///
     /// # Errors
     /// Returns the errors of [`of`](Self::of).

@@ -12,8 +12,8 @@ pub(super) trait Quantity {
     /// Returns the value at a momentum.
     fn value(&self, mu: &[f64]) -> f64;
 
-    /// Returns the coordinates of the differential at a momentum.
-    fn differential(&self, mu: &[f64]) -> Vec<f64>;
+    /// Writes the coordinates of the differential at a momentum.
+    fn write_differential(&self, mu: &[f64], slopes: &mut [f64]);
 }
 
 impl Quantity for Formula {
@@ -21,8 +21,8 @@ impl Quantity for Formula {
         self.value_at(mu)
     }
 
-    fn differential(&self, mu: &[f64]) -> Vec<f64> {
-        self.differential_at(mu)
+    fn write_differential(&self, mu: &[f64], slopes: &mut [f64]) {
+        self.write_differential(mu, slopes);
     }
 }
 
@@ -32,13 +32,12 @@ impl Quantity for (HeavyTop, Invariant) {
         self.1.value(&self.0, &TopInAxes::state(mu))
     }
 
-    fn differential(&self, mu: &[f64]) -> Vec<f64> {
+    fn write_differential(&self, mu: &[f64], slopes: &mut [f64]) {
         let mu = TopInAxes::state(mu);
-        let slope = |i| {
+        for (i, slope) in slopes.iter_mut().enumerate() {
             let moved: Se3Dual<DualNumber> = seed(&mu, &Vector::basis(i));
-            self.1.value(&self.0, &moved).derivative()
-        };
-        (0..Se3Dual::<f64>::DIM).map(slope).collect()
+            *slope = self.1.value(&self.0, &moved).derivative();
+        }
     }
 }
 
@@ -52,6 +51,8 @@ pub(super) struct Gauge<'a> {
     drift: Vec<f64>,
     /// The sizes of the quantities along the motion; none if no observable is relative to them.
     sizes: Vec<InvariantSize>,
+    /// Space for a differential.
+    slopes: Vec<f64>,
     nutation: Option<Nutation>,
     undefined: Option<Vec<f64>>,
 }
@@ -68,8 +69,16 @@ impl<'a> Gauge<'a> {
         let drift = vec![0.0; quantities.len()];
         let sized = if wants_sizes { quantities.len() } else { 0 };
         let sizes = (0..sized).map(|_| InvariantSize::new(model.blocks())).collect();
-        let (nutation, undefined) = (None, None);
-        let mut gauge = Self { model, quantities, initial, drift, sizes, nutation, undefined };
+        let mut gauge = Self {
+            model,
+            quantities,
+            initial,
+            drift,
+            sizes,
+            slopes: vec![0.0; start.len()],
+            nutation: None,
+            undefined: None,
+        };
         gauge.include_sizes(start);
         gauge
     }
@@ -109,7 +118,8 @@ impl<'a> Gauge<'a> {
     fn include_sizes(&mut self, mu: &[f64]) {
         for (size, quantity) in self.sizes.iter_mut().zip(&self.quantities) {
             if let Some(quantity) = quantity {
-                size.include(mu, &quantity.differential(mu));
+                quantity.write_differential(mu, &mut self.slopes);
+                size.include(mu, &self.slopes);
             }
         }
     }
