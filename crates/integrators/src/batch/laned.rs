@@ -2,6 +2,7 @@
 
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
+use crate::fastest_set::FastestSet;
 use crate::{BatchIntegrator, IntegrationError, Integrator, StepError};
 use core::ops::Range;
 use lie_poisson::{
@@ -9,11 +10,17 @@ use lie_poisson::{
     UnfusedStorage, UnfusedTask, Vector, dispatch_unfused,
 };
 
+/// The number of members of a run that is timed: they fill registers of every width.
+const TRIAL_MEMBERS: usize = 8;
+
+/// The number of steps of a run that is timed.
+const TRIAL_STEPS: u64 = 8;
+
 /// An integrator that advances several states side by side, in the SIMD lanes of a register (several trajectories in
 /// one register).
 ///
-/// [`new`](Self::new) uses the lanes that every processor has. [`widest`](Self::widest) uses the widest registers of
-/// the current processor, for code that fulfils the rules below. Every integrator whose formulas are written over all
+/// [`new`](Self::new) uses the lanes that every processor has. [`widest`](Self::widest) uses wider registers of the
+/// current processor where they are faster, which its first steps measure. Every integrator whose formulas are written over all
 /// scalars is suitable. Each member is bit-identical to its [trajectory](Integrator::trajectory_from) over `f64`, for
 /// all instruction sets and all neighbours: operations on lanes round as operations on `f64` do, and an iteration stops
 /// in each lane by itself. If an integrator has other formulas over `f64`, such as a fused kernel, its steps over `f64`
@@ -28,8 +35,8 @@ use lie_poisson::{
 /// # Speed of wide registers
 /// The rules of [`LaneTask`](lie_poisson::LaneTask) hold for the field or the Hamiltonian of the integrator: mark its
 /// methods, and what they call, with `#[inline(always)]`, and compute with components. A method without the mark is
-/// correct, but its operations become function calls, and its steps may be several times slower in wide registers than
-/// on the lanes that every processor has. [`Direct`](crate::Direct), [`LiftFree`](crate::LiftFree) and
+/// correct, but its operations become function calls, and its steps may be twenty times slower in wide registers than on
+/// the lanes that every processor has. [`widest`](Self::widest) then uses these. [`Direct`](crate::Direct), [`LiftFree`](crate::LiftFree) and
 /// [`Collective`](crate::Collective) integrators with [`RungeKutta`](crate::RungeKutta) methods and their compositions
 /// follow the rules; compensated sums, partitioned methods and splittings do not.
 ///
@@ -57,35 +64,37 @@ use lie_poisson::{
 /// assert!(failures.len() == 1 && failures[0].0 == 4 && failures[0].1.step == 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Laned<I> {
     integrator: I,
-    instructions: InstructionSet,
+    instructions: FastestSet,
 }
 
 impl<I> Laned<I> {
     /// Creates a batch integrator on the lanes that every processor has.
     pub fn new(integrator: I) -> Self {
-        Self { integrator, instructions: InstructionSet::Portable }
+        Self { integrator, instructions: FastestSet::given(InstructionSet::Portable) }
     }
 
-    /// Creates a batch integrator on the widest instruction set that this processor has, for integrators whose code
-    /// [follows the rules](Self#speed-of-wide-registers).
+    /// Creates a batch integrator on the widest instruction set that this processor has, or on a narrower one if the
+    /// first steps show that it is faster.
     pub fn widest(integrator: I) -> Self {
-        Self { integrator, instructions: InstructionSet::detected() }
+        Self { integrator, instructions: FastestSet::up_to(InstructionSet::detected()) }
     }
 
-    /// Replaces the instruction set. The steps on all sets are bit-identical.
+    /// Replaces the instruction set. No other set is used, even if it is faster. The steps on all sets are
+    /// bit-identical.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
     pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
-        Ok(Self { instructions: set.if_available()?, ..self })
+        Ok(Self { instructions: FastestSet::given(set.if_available()?), ..self })
     }
 
-    /// Returns the instruction set that the steps use.
+    /// Returns the instruction set that the steps use. For [`widest`](Self::widest) it may become a narrower one in the
+    /// first steps.
     pub fn instructions(&self) -> InstructionSet {
-        self.instructions
+        self.instructions.current()
     }
 
     /// Returns the integrator for one member.
@@ -130,9 +139,7 @@ where
     type Workspace = LanedSpace<I>;
 
     fn workspace(&self) -> LanedSpace<I> {
-        // The constructors have tested the processor for the instructions.
-        let lanes = UnfusedSpace::new(self, self.instructions)
-            .unwrap_or_else(|_| UnfusedSpace::portable(self));
+        let lanes = self.lanes(self.instructions());
         LanedSpace { lanes, repeats: Repeats { four: None, one: None } }
     }
 
@@ -145,7 +152,33 @@ where
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
         let integrator = &self.integrator;
+        let first = members.first().copied();
+        let starts = || first.is_some_and(|first| StepError::check_start(&first, step).is_ok());
+        let set = self.instructions.find(
+            || !steps.is_empty() && starts(),
+            |set| {
+                let Some(first) = first else { return };
+                let members = &mut [first; TRIAL_MEMBERS];
+                let steps = steps.start..steps.end.min(steps.start.saturating_add(TRIAL_STEPS));
+                let failed = &mut |_, _| ();
+                let trial = Advance { integrator, members, step, steps, repeats, failed };
+                dispatch_unfused(trial, &mut self.lanes(set));
+            },
+        );
+        if set != lanes.instructions() {
+            *lanes = self.lanes(set);
+        }
         dispatch_unfused(Advance { integrator, members, step, steps, repeats, failed }, lanes);
+    }
+}
+
+impl<I> Laned<I>
+where
+    Self: UnfusedStorage,
+{
+    /// Returns the storage for the lanes of a set, for which the constructors have tested the processor.
+    fn lanes(&self, set: InstructionSet) -> UnfusedSpace<Self> {
+        UnfusedSpace::new(self, set).unwrap_or_else(|_| UnfusedSpace::portable(self))
     }
 }
 

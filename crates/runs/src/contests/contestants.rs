@@ -13,7 +13,7 @@ use heavytop::{
     GaussBatch, MidpointBatch, ReducedMidpoint, SpinorRealisation, SymmetricTopBatch,
     SymmetricTopSplitting, TopMidpoint,
 };
-use lie_poisson::Se3Dual;
+use lie_poisson::{InstructionSet, Se3Dual};
 use momentum_map::DualQuaternions;
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
@@ -46,7 +46,7 @@ impl Contest<'_> {
     /// The error of the classical Runge–Kutta method with steps of 0.01 s, after 20 s:
     /// ```
     /// use heavytop::HeavyTop;
-    /// use lie_poisson::Se3Dual;
+    /// use lie_poisson::{InstructionSet, Se3Dual};
     /// use lie_poisson_runs::contests::{Contest, TimedProblem, TimedRun};
     /// use nalgebra::Vector3;
     /// let start = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::z());
@@ -157,7 +157,9 @@ fn one_top(contest: &mut Contest<'_>) -> Result<(), RunFailure> {
     let name = "heavytop any system: Gauss-16, one stage at a time";
     contest.single(name, 0.25, &gauss.without_tangents())?;
     let gauss = RungeKutta::gauss(8).map_err(refused)?;
-    let side_by_side = StagesInLanes::widest(Collective::new(gauss, SpinorRealisation, top));
+    let side_by_side = StagesInLanes::new(Collective::new(gauss, SpinorRealisation, top));
+    let widest = InstructionSet::detected();
+    let side_by_side = side_by_side.with_instructions(widest).map_err(MethodError::from)?;
     let integrator = AnyIntegrator::new(side_by_side.clone(), DIMENSION);
     contest.single("heavytop any system: Gauss-16", 0.25, &integrator)?;
     let compensated = AnyIntegrator::new(side_by_side.compensated(), DIMENSION);

@@ -1,9 +1,17 @@
 //! Integrators that compute the stages of a step side by side: [`StagesInLanes`].
 
 use crate::dual::lanes::field_in_lanes::FieldInLanes;
+use crate::fastest_set::FastestSet;
 use crate::{Compensated, Increment, Increments, Integrator, Start, Step, StepError};
 use lie_poisson::{InstructionSet, MissingInstructions, Pair, State};
 use momentum_map::LiftError;
+
+/// The widest set with registers of four lanes, in which the stages are computed in the same order as on the lanes that
+/// every processor has.
+const FOUR_LANES: InstructionSet = InstructionSet::Avx2;
+
+/// The number of steps of a run that is timed: the first one has no prediction to start from.
+const TRIAL_STEPS: usize = 4;
 
 /// An integrator of one state that computes the stages of a step side by side, one stage in each SIMD lane of a
 /// register.
@@ -19,12 +27,13 @@ use momentum_map::LiftError;
 /// [`Composition`](crate::Composition). For other methods a step is bit-identical to that of the integrator alone.
 ///
 /// The stages solve the same equations to the same accuracy. A sweep uses the k_j of the previous sweep, whereas the
-/// integrator alone uses the newest ones. The two results therefore differ by round-off, and so do those on two
-/// instruction sets. If the iteration does not converge, Newton's iteration follows as usual.
+/// integrator alone uses the newest ones. The two results therefore differ by round-off. If the iteration does not
+/// converge, Newton's iteration follows as usual.
 ///
-/// [`new`](Self::new) uses the lanes that every processor has. [`widest`](Self::widest) uses the widest registers of
-/// the current processor, for a field that fulfils the [rules of wide registers](crate::Laned#speed-of-wide-registers).
-/// To advance many states at once, [`Laned`](crate::Laned) is faster: it computes one state in each lane.
+/// [`new`](Self::new) uses the lanes that every processor has. [`widest`](Self::widest) uses wider registers of the
+/// current processor where they are faster, which the first step measures: a field that fulfils the
+/// [rules of wide registers](crate::Laned#speed-of-wide-registers) gains. The results of both are the same to the last
+/// bit. To advance many states at once, [`Laned`](crate::Laned) is faster: it computes one state in each lane.
 ///
 /// Source: Antoñana, Makazaga & Murua, *SIMD-vectorized implicit symplectic integrators can outperform explicit ones*
 /// (2024).
@@ -54,32 +63,36 @@ use momentum_map::LiftError;
 #[derive(Clone, Debug, PartialEq)]
 pub struct StagesInLanes<I> {
     integrator: I,
-    instructions: InstructionSet,
+    instructions: FastestSet,
 }
 
 impl<I: FieldInLanes> StagesInLanes<I> {
     /// Creates the integrator on the lanes that every processor has.
     pub fn new(integrator: I) -> Self {
-        Self { integrator, instructions: InstructionSet::Portable }
+        Self { integrator, instructions: FastestSet::given(InstructionSet::Portable) }
     }
 
-    /// Creates the integrator on the widest instruction set that this processor has. Four stages or fewer are computed
-    /// in registers of four lanes at most.
+    /// Creates the integrator on four lanes of the widest registers of this processor, or on those that every processor
+    /// has if the first step shows that they are faster. The steps are bit-identical to those of [`new`](Self::new).
     pub fn widest(integrator: I) -> Self {
-        Self { integrator, instructions: InstructionSet::detected() }
+        Self { integrator, instructions: FastestSet::up_to(FOUR_LANES) }
     }
 
-    /// Replaces the instruction set. Steps on different sets differ by round-off.
+    /// Replaces the instruction set. No other set is used, even if it is faster.
+    ///
+    /// With AVX-512 eight stages are computed at once, all from those of the previous sweep. Only these steps differ,
+    /// by round-off, from those on the other sets.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
     pub fn with_instructions(self, set: InstructionSet) -> Result<Self, MissingInstructions> {
-        Ok(Self { instructions: set.if_available()?, ..self })
+        Ok(Self { instructions: FastestSet::given(set.if_available()?), ..self })
     }
 
-    /// Returns the instruction set that the steps use.
+    /// Returns the instruction set that the steps use. For [`widest`](Self::widest) it may become a narrower one in the
+    /// first step.
     pub fn instructions(&self) -> InstructionSet {
-        self.instructions
+        self.instructions.current()
     }
 
     /// Returns the integrator that computes one stage after the other.
@@ -90,6 +103,26 @@ impl<I: FieldInLanes> StagesInLanes<I> {
     /// Returns the integrator with [`Compensated`] summation.
     pub fn compensated(self) -> Compensated<Self> {
         Compensated(self)
+    }
+
+    /// Returns the instruction set of a step from a state. The first step of a motion measures it.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn instructions_from(&self, state: &I::State, step: f64) -> InstructionSet {
+        self.instructions.find(
+            || StepError::check_start(state, step).is_ok(),
+            |set| self.try_steps(set, state, step),
+        )
+    }
+
+    /// Makes a few steps in the registers of an instruction set, to be timed.
+    fn try_steps(&self, set: InstructionSet, state: &I::State, step: f64) {
+        let (mut end, mut workspace) = (state.clone(), self.integrator.workspace());
+        for _ in 0..TRIAL_STEPS {
+            match self.integrator.step_in_lanes(set, &end, step, &mut workspace) {
+                Ok(made) => end = made.point,
+                Err(_) => break,
+            }
+        }
     }
 }
 
@@ -109,7 +142,8 @@ impl<I: FieldInLanes> Integrator for StagesInLanes<I> {
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        self.integrator.step_in_lanes(self.instructions, state, step, workspace)
+        let instructions = self.instructions_from(state, step);
+        self.integrator.step_in_lanes(instructions, state, step, workspace)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -135,7 +169,8 @@ impl<I: FieldInLanes> Increments for StagesInLanes<I> {
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
-        self.integrator.increment_in_lanes(self.instructions, state, step, workspace)
+        let instructions = self.instructions_from(&state.0, step);
+        self.integrator.increment_in_lanes(instructions, state, step, workspace)
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -83,6 +83,39 @@ fn stages_that_are_not_solved_to_round_off_differ() {
     assert!(apart > 100.0 * NEAR && apart < 1e-4, "{apart:e}");
 }
 
+/// The registers that are chosen by their speed hold four lanes, as those that every processor has.
+#[test]
+fn steps_in_the_registers_that_are_chosen_have_the_bits_of_those_that_every_processor_has() {
+    for stages in 2..=9 {
+        let direct = Direct::new(RungeKutta::gauss(stages).unwrap(), field());
+        let portable = StagesInLanes::new(direct.clone());
+        let widest = StagesInLanes::widest(direct.clone());
+        for z in [start(), -start()] {
+            assert_eq!(distance(&widest, &portable, &z, STEP), 0.0, "{stages}");
+            let [widest, portable] = [&widest, &portable].map(|lanes| lanes.clone().compensated());
+            let exact = Pair(z, z.scaled(0.0));
+            assert_eq!(distance(&widest, &portable, &exact, STEP), 0.0, "{stages}");
+        }
+    }
+}
+
+/// Control of the test above: with AVX-512 the stages 5 to 8 are computed from those of the previous sweep, as the first
+/// four are.
+#[test]
+fn only_eight_stages_in_one_register_change_the_last_bits() {
+    for set in InstructionSet::available() {
+        let differs = |stages: &usize| {
+            let portable =
+                StagesInLanes::new(Direct::new(RungeKutta::gauss(*stages).unwrap(), field()));
+            let lanes = portable.clone().with_instructions(set).unwrap();
+            distance(&lanes, &portable, &start(), STEP) > 0.0
+        };
+        let differing: Vec<_> = (2..=9).filter(differs).collect();
+        assert_eq!(differing.is_empty(), set != InstructionSet::Avx512, "{set} {differing:?}");
+        assert!(differing.iter().all(|stages| (5..=8).contains(stages)), "{set} {differing:?}");
+    }
+}
+
 #[test]
 fn methods_without_stages_to_put_side_by_side_keep_their_bits() {
     let nine = RungeKutta::gauss(9).unwrap();
