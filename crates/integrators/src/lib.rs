@@ -100,7 +100,6 @@ mod sums;
 mod iteration;
 mod vector_field;
 mod natural_scales;
-mod fastest_set;
 mod stages;
 mod schemes;
 mod dual;

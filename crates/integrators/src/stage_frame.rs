@@ -24,16 +24,16 @@ pub trait StageFrame<V> {
 pub(crate) struct OwnFrame;
 
 impl<V: State> StageFrame<V> for OwnFrame {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn continues(&self) -> bool {
         false
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn remember(&self, k: &V, past: &mut V) {
         past.assign(k);
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recall(&self, _: &mut V) {}
 }

@@ -69,7 +69,7 @@ pub trait VectorField<T: Real = f64> {
     /// let z = Sites::new(vec![Vector1::new(2.0); 3]);
     /// assert_eq!(Decay.at(&z)[2].x, -2.0);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn at_into(&self, z: &Self::Point, value: &mut Self::Point) {
         let mut point = self.at(z);
         if point.same_shape(value) {
@@ -83,7 +83,7 @@ pub trait VectorField<T: Real = f64> {
     ///
     /// Newton's iteration for the stages of an implicit method uses it. If the derivative is not known, it uses
     /// difference quotients instead.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn derivative(&self, _z: &Self::Point, _v: &Self::Point) -> Option<Self::Point> {
         None
     }
@@ -92,7 +92,7 @@ pub trait VectorField<T: Real = f64> {
     ///
     /// Only the field of [`StagesInLanes`](crate::StagesInLanes) has a reason to change the default.
     #[doc(hidden)]
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn solve_in_lanes(
         &self,
         _problem: &mut LaneProblem<'_, Self::Point>,
@@ -104,7 +104,7 @@ pub trait VectorField<T: Real = f64> {
     ///
     /// Only the field of [`LiftFree`](crate::LiftFree) has a reason to change the default.
     #[doc(hidden)]
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn stage_frame(&self) -> impl StageFrame<Self::Point>
     where
         Self: Sized,
@@ -153,7 +153,7 @@ where
 {
     type Point = Point<P, T>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn at(&self, z: &Self::Point) -> Self::Point {
         self.space.hamiltonian_vector::<T>(z, &self.hamiltonian.differential(z))
     }
@@ -197,7 +197,7 @@ pub struct FromFn<V, F> {
 impl<T: Real, V: State<Scalar = T>, F: Fn(&V) -> V> VectorField<T> for FromFn<V, F> {
     type Point = V;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn at(&self, z: &V) -> V {
         (self.field)(z)
     }

@@ -231,7 +231,7 @@ fn power(x: f64, c: f64) -> f64 {
 
 impl Unary {
     /// Returns f(x), over any scalar.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn apply<T: Real>(self, x: T) -> T {
         match self {
             Self::Sqrt => x.sqrt(),

@@ -199,7 +199,7 @@ impl Formula {
 
     /// Returns the differential dh(z), with the coordinates ∂h/∂zᵢ, or NaN if z has fewer or more coordinates
     /// than the formula.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn differential<V: Vector>(&self, z: &V) -> V::Dual {
         self.0.gradient.vector(V::DIM, |i| z.coordinate(i), |i| z.coordinate(i))
     }

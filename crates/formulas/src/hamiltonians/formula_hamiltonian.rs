@@ -74,7 +74,7 @@ impl<A: LieAlgebra, T: Real> Hamiltonian<LiePoisson<A>, T> for FormulaHamiltonia
         self.formula.value(mu)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn differential(&self, mu: &Momentum<A, T>) -> A::Element<T> {
         self.formula.differential(mu)
     }

@@ -12,7 +12,7 @@ pub(crate) struct Affine {
 
 impl Affine {
     /// Returns s x + b.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn at<T: Real>(self, x: T) -> T {
         x * self.scale + self.offset
     }

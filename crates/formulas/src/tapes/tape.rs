@@ -59,7 +59,7 @@ impl Tape {
 
     /// Computes the results at `inputs` coordinates as a vector; NaN if the tape has another number of coordinates or
     /// results. The coordinate that belongs to the i-th result is `own(i)`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn vector<V: Vector>(
         &self,
         inputs: usize,
@@ -96,7 +96,7 @@ impl Tape {
     ///
     /// The registers are an array on the stack, of the smallest of five sizes that suffices, or of three for SIMD
     /// lanes in wide registers. Nothing is allocated.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn evaluate<T: Real, R>(
         &self,
         counts: (usize, usize),
@@ -130,7 +130,7 @@ impl Tape {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn evaluate_in<T: Real, R, const SIZE: usize>(
         &self,
         (inputs, outputs): (usize, usize),
@@ -163,7 +163,7 @@ impl Tape {
         results(registers.get(inputs..inputs + outputs).unwrap_or_default())
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn execute<T: Real, const SIZE: usize>(&self, registers: &mut [T; SIZE]) {
         for instruction in &*self.instructions {
             instruction.execute(registers);
@@ -178,7 +178,7 @@ impl Tape {
 }
 
 /// Returns one of the results, or NaN if there is none.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn result<T: Real>(results: &[T], i: usize) -> T {
     results.get(i).copied().unwrap_or_else(|| T::from_f64(f64::NAN))
 }
@@ -193,7 +193,7 @@ fn of_two<T: Real>(function: Binary, a: T, b: T) -> T {
 }
 
 impl Instruction<u16> {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn execute<T: Real, const SIZE: usize>(&self, registers: &mut [T; SIZE]) {
         // SIZE is a power of two above every register; the remainder saves the bounds check.
         let place = |register: u16| usize::from(register) % SIZE;

@@ -3,7 +3,7 @@
 use lie_poisson::Lanes;
 
 /// Returns the spinor i(w·σ)u + v.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn infinitesimal_rotation<T: Lanes>(w: &[T; 3], u: [T; 4], v: [T; 4]) -> [T; 4] {
     let ([w1, w2, w3], [u1, u2, u3, u4]) = (*w, u);
     [

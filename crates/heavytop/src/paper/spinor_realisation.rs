@@ -60,12 +60,12 @@ impl PoissonMap for SpinorRealisation {
         LiePoisson::minus(SemidirectAlgebra(SO3OnR3))
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn apply<T: Real>(&self, z: &SpinorPoint<T>) -> Se3Dual<T> {
         if T::HAS_SLOW_PATHS { momentum(z) } else { inlined_momentum(z) }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn generator<T: Real>(
         &self,
         dh: &Pair<Vector3<T>, Vector3<T>>,
@@ -83,7 +83,7 @@ impl PoissonMap for SpinorRealisation {
     /// Along collective dynamics d/dt Re(ψ∗χ) = 2γ·Γ, so that χ may grow linearly along ψ. A slide breaks the sequence
     /// of stages from which a scheme extrapolates the next ones ([`StageSolver`](collective_integrators::StageSolver)).
     /// It is therefore made only if ‖χ‖ has grown.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn gauge<T: Real>(&self, z: &SpinorPoint<T>) -> SpinorPoint<T> {
         let (chi, psi) = (&z.q, &z.p.0);
         let overlap = (psi.x.conj() * chi.x + psi.y.conj() * chi.y).re;
@@ -99,7 +99,7 @@ impl PoissonMap for SpinorRealisation {
     }
 
     /// Returns z, since the [gauge](Self::gauge) keeps ‖χ‖ within √2 times its minimum.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recentred<T: Real>(&self, z: &SpinorPoint<T>, _: &mut RecentringSpace<T>) -> SpinorPoint<T> {
         *z
     }
@@ -132,7 +132,7 @@ macro_rules! formulas {
 // The compiler simplifies these two before it inlines them, with fewer instructions for plain numbers.
 formulas! { #[inline] momentum, velocity }
 // Wide registers need these two.
-formulas! { #[cfg_attr(not(debug_assertions), inline(always))] inlined_momentum, inlined_velocity }
+formulas! { #[cfg_attr(optimised, inline(always))] inlined_momentum, inlined_velocity }
 
 /// The largest b of a slide χ + bψ; a longer slide is not made.
 const LONGEST: f64 = 1e100;

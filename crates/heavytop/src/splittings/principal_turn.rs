@@ -27,7 +27,7 @@ pub(crate) struct PrincipalTurn<T> {
 
 impl<T: Real> PrincipalTurn<T> {
     /// Creates the rotation about the axis with this index, from 0 to 2.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn new(axis: usize, angle: T) -> Self {
         let square = angle * angle;
         let (cos, sin) = (square.stumpff(0), angle * square.stumpff(1));
@@ -37,7 +37,7 @@ impl<T: Real> PrincipalTurn<T> {
     }
 
     /// Returns the vector v rotated by this turn.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn apply(&self, v: &Vector3<T>) -> Vector3<T> {
         match self.axis {
             0 => {
@@ -55,7 +55,7 @@ impl<T: Real> PrincipalTurn<T> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn in_plane(&self, x: T, y: T) -> (T, T) {
         let (x, y) = (self.sign * x, self.sign * y);
         let x = x - self.half_tangent * y;

@@ -283,7 +283,7 @@ impl HeavyTop {
     }
 
     /// Returns the angular velocity Ω = I⁻¹Π in the body frame, rad/s.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn angular_velocity<T: Real>(&self, pi: &Vector3<T>) -> Vector3<T> {
         let inverse = &self.inverse_inertia;
         Vector3::new(pi.x * inverse.x, pi.y * inverse.y, pi.z * inverse.z)
@@ -296,7 +296,7 @@ impl HeavyTop {
     }
 
     /// Returns the constant part γ = m g l c of dh.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn force<T: Real>(&self) -> Vector3<T> {
         let force = self.center_of_mass * self.weight_moment;
         Vector3::new(T::from_f64(force.x), T::from_f64(force.y), T::from_f64(force.z))
@@ -307,14 +307,14 @@ impl HeavyTop {
 type Velocity<T> = Pair<Vector3<T>, Vector3<T>>;
 
 impl<T: Real> Hamiltonian<HeavyTopSpace, T> for HeavyTop {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn value(&self, mu: &Se3Dual<T>) -> T {
         let Covector(Pair(pi, gamma)) = mu;
         let height = gamma.dot(&self.center_of_mass.map(T::from_f64));
         pi.dot(&self.angular_velocity(pi)) * 0.5 + height * self.weight_moment
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn differential(&self, mu: &Se3Dual<T>) -> Velocity<T> {
         Pair(self.angular_velocity(&mu.0.0), self.force())
     }

@@ -34,7 +34,7 @@ pub(crate) trait Group {
 /// The members make a block of steps, from one checkpoint to the next, together. A member without a result repeats the
 /// block by itself. If it fails there too, it is reported and takes no further step; otherwise it continues with the
 /// others.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn advance_groups<G: Group>(
     group: &mut G,
     members: &mut [G::Member],

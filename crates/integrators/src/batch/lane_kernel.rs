@@ -148,7 +148,7 @@ struct KernelAdvance<'a, K: LaneKernel> {
 impl<K: LaneKernel> LaneTask for KernelAdvance<'_, K> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn run<T: Lanes>(self) {
         let Self { kernel, members, step, steps, failed } = self;
         let mut group = KernelGroup::<K, T> { kernel, lanes: PhantomData };
@@ -165,12 +165,12 @@ struct KernelGroup<'a, K: LaneKernel, T> {
 impl<K: LaneKernel, T: Lanes> Group for KernelGroup<'_, K, T> {
     type Member = K::Member;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn width(&self) -> usize {
         T::COUNT
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn together(&mut self, group: &mut [K::Member], step: f64, count: u64) -> LaneResults {
         self.kernel.together::<T>(group, step, count)
     }

@@ -2,7 +2,7 @@
 
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
-use crate::fastest_set::FastestSet;
+use crate::dual::lanes::fastest_set::FastestSet;
 use crate::{BatchIntegrator, IntegrationError, Integrator, StepError};
 use core::ops::Range;
 use lie_poisson::{
@@ -199,7 +199,7 @@ where
         + Integrator<T, State: Vector>,
     T: Lanes,
 {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn run(self, workspace: &mut <I as Integrator<T>>::Workspace) {
         let Self { integrator, members, step, steps, repeats, failed } = self;
         let mut group = LaneGroup::<I, T> { integrator, workspace, repeats };
@@ -215,7 +215,7 @@ struct LaneGroup<'a, I: Integrator<f64> + Integrator<DefaultLanes> + Integrator<
 }
 
 /// Makes the steps of a block with all members, each in a lane. If a step fails in some lane, no member is changed.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn steps<I, T>(
     integrator: &I,
     workspace: &mut <I as Integrator<T>>::Workspace,
@@ -232,10 +232,10 @@ where
         StepError::check_start(member, step)?;
     }
     let mut state = <I as Integrator<T>>::State::from_coordinates(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         |i| {
             T::from_lanes(
-                #[inline(always)]
+                #[cfg_attr(optimised, inline(always))]
                 |lane| group[lane.min(last)].coordinate(i),
             )
         },
@@ -246,7 +246,7 @@ where
     }
     for (lane, member) in group.iter_mut().enumerate() {
         *member = Vector::from_coordinates(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |i| state.coordinate(i).lane(lane),
         );
     }
@@ -262,12 +262,12 @@ where
 {
     type Member = <I as Integrator<f64>>::State;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn width(&self) -> usize {
         T::COUNT
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn together(&mut self, group: &mut [Self::Member], step: f64, count: u64) -> LaneResults {
         match steps::<I, T>(self.integrator, self.workspace, group, step, count) {
             Ok(()) => core::array::from_fn(|lane| lane < group.len()),

@@ -152,7 +152,7 @@ impl<S, M: PoissonMap, H> Collective<S, M, H> {
     }
 
     /// Returns the displacement from z to the point of its fibre from which the next step starts, if z may move.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn gauge<T: Real>(&self, z: &SourcePoint<M, T>, pinned: bool) -> SourcePoint<M, T> {
         if self.moves.is_some() && !pinned { self.system.map.gauge::<T>(z) } else { Vector::zero() }
     }
@@ -169,7 +169,7 @@ where
 {
     type Point = SourcePoint<M, T>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn at(&self, z: &Self::Point) -> Self::Point {
         self.map.generator::<T>(&self.hamiltonian.differential(&self.map.apply::<T>(z)), z)
     }
@@ -200,7 +200,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     /// Returns the point of the fibre through z from which a step starts.
     ///
     /// It is z itself, or a point nearer to the origin if a run begins with a z far from the origin, or if z has grown.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recentred<T: Real>(
         &self,
         z: &SourcePoint<M, T>,
@@ -212,7 +212,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
             threshold.recentre_if_grown(
                 &mut moved,
                 far,
-                #[inline(always)]
+                #[cfg_attr(optimised, inline(always))]
                 |moved, grown| {
                     let near = self.system.map.recentred::<T>(z, recentring);
                     *moved = Vector::select(grown, &near, z);
@@ -223,7 +223,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     }
 
     /// Makes a step with the collective vector field, in whatever form it is given.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn step_of<T: Real, F: VectorField<T, Point = SourcePoint<M, T>>>(
         &self,
         field: &F,
@@ -240,7 +240,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
         Ok(Step { point, iterations })
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn require_momentum<T: Real>(&self, z: &SourcePoint<M, T>) -> Result<(), StepError> {
         if has_finite_momentum::<M, T>(&self.system.map, z) {
             Ok(())
@@ -250,7 +250,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     }
 
     /// Returns the increment of a step with the collective vector field, in whatever form it is given.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn increment_of<T: Real, F: VectorField<T, Point = SourcePoint<M, T>>>(
         &self,
         field: &F,
@@ -293,7 +293,7 @@ where
         }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step(
         &self,
         state: &Self::State,
@@ -303,7 +303,7 @@ where
         self.step_of::<T, _>(&self.system, state, step, workspace)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.scheme.forget(&mut workspace.scheme);
         workspace.threshold = RecentringThreshold::default();
@@ -313,7 +313,7 @@ where
         workspace.pinned = true;
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn momentum(&self, state: &Self::State) -> Self::Momentum {
         self.system.map.apply::<T>(state)
     }
@@ -326,7 +326,7 @@ where
     H: Hamiltonian<M::Target, T>,
     T: Real,
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn increment(
         &self,
         state: &Pair<Self::State, Self::State>,
@@ -340,7 +340,7 @@ where
     ///
     /// The derivative of a gauge, such as that of a power of two, may have no meaning except along the fibre. M is
     /// constant there.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn gauged(
         &self,
         state: Pair<Self::State, Self::State>,

@@ -28,7 +28,7 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
     ///
     /// The default returns `None`: an increment on the heap is allocated in each step. See
     /// [`Scheme::temporaries`](crate::Scheme::temporaries).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn temporaries<'a>(
         &self,
         _workspace: &'a mut Self::Workspace,
@@ -40,7 +40,7 @@ pub trait Increments<T: Real = f64>: Integrator<T> {
     ///
     /// If there are fibres, it is another point of the fibre, unless the workspace is [pinned](Integrator::pin). The
     /// default is the state itself.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn gauged(
         &self,
         state: Pair<Self::State, Self::State>,
@@ -152,7 +152,7 @@ impl<I> Compensated<I> {
 /// // without e, each addition would be lost
 /// assert_eq!(one + tiny.0, one);
 /// ```
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn compensated_sum<V: State>(sum: &Pair<V, V>, increment: &Pair<V, V>) -> Pair<V, V> {
     let mut next = sum.clone();
     let Pair(dz, de) = increment;
@@ -169,7 +169,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         self.0.workspace()
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.0.forget(workspace);
     }
@@ -178,7 +178,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         self.0.pin(workspace);
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step(
         &self,
         state: &Self::State,
@@ -190,7 +190,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         Step { point, iterations }.finite()
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step_in_place(
         &self,
         state: &mut Self::State,
@@ -217,7 +217,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         if finite { Ok(iterations) } else { Err(StepError::NotFinite) }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn momentum(&self, state: &Self::State) -> Self::Momentum {
         self.0.momentum(&state.0)
     }

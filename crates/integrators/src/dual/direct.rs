@@ -74,7 +74,7 @@ where
         self.scheme.workspace()
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step(
         &self,
         state: &F::Point,
@@ -84,7 +84,7 @@ where
         self.scheme.step(&self.field, state, step, workspace)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step_in_place(
         &self,
         state: &mut F::Point,
@@ -94,12 +94,12 @@ where
         self.scheme.step_in_place(&self.field, state, step, workspace)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.scheme.forget(workspace);
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn momentum(&self, state: &F::Point) -> F::Point {
         state.clone()
     }
@@ -111,7 +111,7 @@ where
     F: VectorField<T>,
     T: Real,
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn increment(
         &self,
         Pair(z, e): &Pair<F::Point, F::Point>,
@@ -121,7 +121,7 @@ where
         self.scheme.refined_increment(&self.field, (z, e), step, workspace)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn temporaries<'a>(
         &self,
         workspace: &'a mut Self::Workspace,

@@ -12,7 +12,7 @@ const LARGEST: f64 = f64::MAX / 16.0;
 /// Returns whether z and M(z) are finite, in all SIMD lanes.
 ///
 /// A method that is unstable at some step size may reach a state that is still finite but whose momentum is not.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn has_finite_momentum<M: PoissonMap, T: Real>(map: &M, z: &SourcePoint<M, T>) -> bool {
     z.max_norm().at_most(T::from_f64(SAFE)).all() || both_finite(map, z)
 }

@@ -83,7 +83,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     ///
     /// # Errors
     /// Returns a [`StepError`] if the step has no result.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn step_with_multiplier<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
@@ -96,7 +96,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         let motion = self.motion_by(
             mu,
             workspace,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |field, one, storage| self.advance::<T, _>(field, one, step, storage),
         )?;
         motion.end(mu)
@@ -113,7 +113,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     ///
     /// # Errors
     /// Returns a [`StepError`] if the step has no result.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn increment_with_multiplier<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
@@ -127,14 +127,14 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         let motion = self.motion_by(
             mu,
             workspace,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |field, one, storage| self.refined_advance::<T, _>(field, one, step, storage),
         )?;
         Ok((self.increment_by(&motion, e), motion.multiplier))
     }
 
     /// Returns the increment of (μ, e) by the motion of μ in a step.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn increment_by<T: Real>(
         &self,
         motion: &MultiplierMotion<M, T>,
@@ -145,7 +145,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     }
 
     /// Returns the multiplier after a step from Q = 1 with the field of multipliers, in whatever form it is given.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn advance<T: Real, F: VectorField<T, Point = Multiplier<M, T>>>(
         &self,
         field: &F,
@@ -158,7 +158,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     }
 
     /// Returns the multiplier after a step from Q = 1 with unbiased rounding errors.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn refined_advance<T: Real, F: VectorField<T, Point = Multiplier<M, T>>>(
         &self,
         field: &F,
@@ -173,7 +173,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     }
 
     /// Returns the multiplier and the change of μ in one step that `make` computes from Q = 1.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn motion_by<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
@@ -229,7 +229,7 @@ pub(crate) struct MultiplierMotion<M: Multipliers, T: Real> {
 
 impl<M: Multipliers, T: Real> MultiplierMotion<M, T> {
     /// Returns the end of the step, with the multiplier.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn end(
         self,
         mu: &Point<M::Space, T>,
@@ -261,12 +261,12 @@ where
         MultiplierSpace { scheme: self.scheme.workspace(), course: None }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn forget(&self, workspace: &mut Self::Workspace) {
         workspace.course = None;
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step(
         &self,
         mu: &Self::State,
@@ -276,7 +276,7 @@ where
         Ok(self.step_with_multiplier::<T>(mu, step, workspace)?.0)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn momentum(&self, mu: &Self::State) -> Self::Momentum {
         *mu
     }
@@ -292,7 +292,7 @@ where
     /// Returns δμ, the change of μ under the motion by Q₁, which conserves Casimirs for every rounding of Q₁.
     ///
     /// Only the real part of Q₁ = 1 + … is rounded at size 1. This changes the motion by h times a rounding error.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn increment(
         &self,
         Pair(mu, e): &Pair<Self::State, Self::State>,

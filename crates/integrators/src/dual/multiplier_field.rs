@@ -28,7 +28,7 @@ where
 {
     type Point = Multiplier<M, T>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn at(&self, q: &Multiplier<M, T>) -> Multiplier<M, T> {
         let mu = self.multipliers.transport::<T>(q, &self.start);
         self.multipliers.generate::<T>(&self.hamiltonian.differential(&mu), q)
@@ -43,7 +43,7 @@ where
         Some(derivative_part(&self.multipliers.generate::<DualNumber<T>>(&dh, &moved)))
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn stage_frame(&self) -> impl StageFrame<Multiplier<M, T>> {
         self
     }
@@ -60,7 +60,7 @@ where
 {
     type Point = Multiplier<M, T>;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn at(&self, q: &Multiplier<M, T>) -> Multiplier<M, T> {
         let MultiplierField { multipliers, hamiltonian, start, .. } = *self.0;
         let start: Point<M::Space, T> = map_coordinates(&start, T::from_f64);
@@ -75,19 +75,19 @@ where
     M: Multipliers,
     T: Real,
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn continues(&self) -> bool {
         self.continues
     }
 
     /// Writes k A, the stage derivative in the frame of the course.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn remember(&self, k: &Multiplier<M, T>, past: &mut Multiplier<M, T>) {
         *past = self.multipliers.product::<T>(k, &self.frame.0);
     }
 
     /// Changes k to k A⁻¹, the stage derivative in the frame of this step.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn recall(&self, k: &mut Multiplier<M, T>) {
         *k = self.multipliers.product::<T>(k, &self.frame.1);
     }
@@ -107,7 +107,7 @@ impl<V: Vector, Q> Course<V, Q> {
     /// Returns whether a step from μ continues the course.
     ///
     /// A trajectory begins a new course at every checkpoint, and so do steps outside of a trajectory, since A may grow.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn goes_on_from(&self, mu: &V) -> bool {
         // In wide registers the compiler would make this comparison a function call. It only serves to skip the more
         // exact one.

@@ -30,7 +30,7 @@ impl<V: State> Default for RecentringThreshold<V> {
 impl<V: State> RecentringThreshold<V> {
     /// Lets `recentre` move z in the lanes in which a run begins or z has grown fourfold, or by half for
     /// [`Far::Length`], and remembers its sizes then. Does nothing if there is no such lane.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn recentre_if_grown(
         &mut self,
         z: &mut V,
@@ -41,7 +41,7 @@ impl<V: State> RecentringThreshold<V> {
         let grown = match &self.0 {
             Some(near) => sizes
                 .at_most(
-                    #[inline(always)]
+                    #[cfg_attr(optimised, inline(always))]
                     |block| near.at(block) * growth(far),
                 )
                 .not(),

@@ -15,24 +15,24 @@ pub(crate) struct BlockSizes<V: State> {
 
 impl<V: State> BlockSizes<V> {
     /// Returns the sizes of no vector: zero.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn zero() -> Self {
         Self::uniform(V::Scalar::from_f64(0.0))
     }
 
     /// Returns sizes that exceed all numbers.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn infinite() -> Self {
         Self::uniform(V::Scalar::from_f64(f64::INFINITY))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn uniform(size: V::Scalar) -> Self {
         Self { most: V::Blocks::uniform(size), sum: size }
     }
 
     /// Returns the sizes f(block) of vectors whose magnitudes have the given sum.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn from_parts(f: impl Fn(usize) -> V::Scalar, sum: V::Scalar) -> Self {
         let mut sizes = Self { sum, ..Self::zero() };
         for block in 0..V::BLOCKS {
@@ -42,13 +42,13 @@ impl<V: State> BlockSizes<V> {
     }
 
     /// Returns the sum of all magnitudes.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn sum(&self) -> V::Scalar {
         self.sum
     }
 
     /// Returns the sizes of several vectors.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn of(vectors: &[V]) -> Self {
         let mut sizes = Self::zero();
         for v in vectors {
@@ -58,19 +58,19 @@ impl<V: State> BlockSizes<V> {
     }
 
     /// Enlarges the sizes to hold one more vector.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn include(&mut self, v: &V) {
         v.measure(&mut self.most, &mut self.sum);
     }
 
     /// Enlarges the sizes to hold the difference of two vectors.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn include_difference(&mut self, v: &V, w: &V) {
         v.measure_difference(w, &mut self.most, &mut self.sum);
     }
 
     /// Enlarges the sizes to hold those of `other` that are above the bound that f gives for their block.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn include_above(&mut self, other: &Self, f: impl Fn(usize) -> V::Scalar) {
         for block in 0..V::BLOCKS {
             let below = other.at(block).at_most(f(block));
@@ -81,7 +81,7 @@ impl<V: State> BlockSizes<V> {
     }
 
     /// Selects the first sizes in lanes where the mask is true, and the second elsewhere.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn select(mask: MaskOf<V>, yes: &Self, no: &Self) -> Self {
         let mut sizes = Self { sum: Real::select(mask, yes.sum, no.sum), most: yes.most };
         for block in 0..V::BLOCKS {
@@ -91,7 +91,7 @@ impl<V: State> BlockSizes<V> {
     }
 
     /// Adds other sizes, multiplied by a factor.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn add_scaled(&mut self, factor: V::Scalar, other: &Self) {
         for block in 0..V::BLOCKS {
             self.most.set(block, self.at(block) + factor * other.at(block));
@@ -100,13 +100,13 @@ impl<V: State> BlockSizes<V> {
     }
 
     /// Returns the size of a block.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn at(&self, block: usize) -> V::Scalar {
         self.most.at(block)
     }
 
     /// Returns the largest f(block), or NaN or ∞ if a coordinate of one of the vectors was.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn largest_of(&self, other: &Self, f: impl Fn(usize) -> V::Scalar) -> V::Scalar {
         let sum = self.sum + other.sum;
         let finite = sum.at_most(V::Scalar::from_f64(f64::MAX));
@@ -114,7 +114,7 @@ impl<V: State> BlockSizes<V> {
     }
 
     /// Returns the largest f(block), without a check for NaN.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn largest_unchecked(&self, f: impl Fn(usize) -> V::Scalar) -> V::Scalar {
         let mut largest = f(0);
         for block in 1..V::BLOCKS {
@@ -124,17 +124,17 @@ impl<V: State> BlockSizes<V> {
     }
 
     /// Returns the largest size, or NaN if a coordinate was NaN.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn largest(&self) -> V::Scalar {
         let largest = self.largest_unchecked(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |block| self.at(block),
         );
         Real::select(self.sum.at_most(self.sum), largest, self.sum)
     }
 
     /// Returns the reciprocal of each size, or 0 for a size below the normal numbers, whose reciprocal may overflow.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn inverse(&self) -> Self {
         let (zero, one) = (V::Scalar::from_f64(0.0), V::Scalar::from_f64(1.0));
         let least = V::Scalar::from_f64(f64::MIN_POSITIVE);
@@ -147,7 +147,7 @@ impl<V: State> BlockSizes<V> {
     }
 
     /// Returns the lanes in which each size is at most the bound that f gives for its block. It is false for a NaN.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn at_most(&self, f: impl Fn(usize) -> V::Scalar) -> MaskOf<V> {
         let mut all = self.sum.at_most(self.sum);
         for block in 0..V::BLOCKS {

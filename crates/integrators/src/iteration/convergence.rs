@@ -64,14 +64,14 @@ pub(crate) struct Watch<T> {
 pub(crate) type Ratios<T> = [T; 2];
 
 /// Returns the ratios with which an iteration begins before any change has been measured.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn unknown<T: Real>() -> Ratios<T> {
     [T::from_f64(f64::INFINITY); 2]
 }
 
 impl<T: Real> Watch<T> {
     /// Creates a watch for an iteration that is expected to have the given ratios of changes.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn new(ratios: Ratios<T>) -> Self {
         let infinity = T::from_f64(f64::INFINITY);
         let (stalled, first, path) = (T::zero(), T::zero(), T::zero());
@@ -92,7 +92,7 @@ impl<T: Real> Watch<T> {
     ///
     /// Stage equations may have several solutions. The one of the state is near a good guess, and an iteration that
     /// contracts finds it. Another one is found by an iteration whose changes first grow.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn is_astray(&self, size: T) -> T::Mask {
         let near = self.path.at_most(size * NEAR);
         if near.all() {
@@ -107,13 +107,13 @@ impl<T: Real> Watch<T> {
     }
 
     /// Returns the last two ratios of changes.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn ratios(&self) -> Ratios<T> {
         self.ratios
     }
 
     /// Returns the lanes in which a change is the last meaningful one, for stages of the given size.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn converged(&mut self, change: T, size: T) -> T::Mask {
         // A change that is not a number ends the iteration in its lane.
         let better = self.least.at_most(change).not();
@@ -147,7 +147,7 @@ impl<T: Real> Watch<T> {
 }
 
 /// Returns the lanes in which a magnitude is a finite number.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn is_finite<T: Real>(magnitude: T) -> T::Mask {
     magnitude.at_most(T::from_f64(f64::MAX))
 }

@@ -28,7 +28,7 @@ pub struct LaneProblem<'a, V: State> {
 
 impl<V: State> LaneProblem<'_, V> {
     /// Solves the equations by sweeps with room for S stages side by side, for a field over the lanes `T`.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn solve<T: Lanes, W: Vector<Scalar = T>, const S: usize>(
         &mut self,
         field: impl Fn(&W) -> W,
@@ -42,7 +42,7 @@ impl<V: State> LaneProblem<'_, V> {
             (none, whole),
             *scale,
             pace,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |_, near| {
                 // Each number is broadcast from memory, which costs nothing. Without the black box the compiler would
                 // take it from the registers in which it was computed, which costs shuffles.
@@ -61,7 +61,7 @@ impl<V: State> LaneProblem<'_, V> {
     }
 
     /// Writes the guess to the rows.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn write_rows(&mut self) {
         let dimension = self.z.dimension();
         self.rows.fit(dimension);
@@ -75,11 +75,11 @@ impl<V: State> LaneProblem<'_, V> {
     }
 
     /// Reads the stage derivatives from the rows.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn read_rows(&mut self) {
         for (i, k) in self.k.iter_mut().enumerate() {
             k.set_entries(
-                #[inline(always)]
+                #[cfg_attr(optimised, inline(always))]
                 |c| V::Scalar::from_f64(self.rows.k[c].0[i]),
             );
         }
@@ -96,7 +96,7 @@ struct Sweep<'a, V> {
 impl<V: State> Sweep<'_, V> {
     /// Replaces the stage derivatives in a block of lanes. If they are `near` the solution, the sums with the low parts
     /// of the coefficients are computed first.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn advance<T: Lanes, W: Vector<Scalar = T>, const S: usize>(
         &self,
         field: &impl Fn(&W) -> W,
@@ -113,7 +113,7 @@ impl<V: State> Sweep<'_, V> {
         let (k, small) = (&mut k[..W::DIM], &small[..W::DIM]);
         let h = T::from_f64(self.step);
         let point = W::from_coordinates(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |c| {
                 let small = small[c].load(block);
                 let sum = combination::<T, S>(&self.columns.whole, &k[c], small, block);
@@ -122,7 +122,7 @@ impl<V: State> Sweep<'_, V> {
         );
         let value = field(&point);
         let before = W::from_coordinates(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |c| k[c].load(block),
         );
         progress.change.include_difference(&value, &before);
@@ -134,7 +134,7 @@ impl<V: State> Sweep<'_, V> {
 }
 
 /// Returns `start` + Σ_j a_ij k_j for the stages i of a block.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn combination<T: Lanes, const S: usize>(
     columns: &[StageRow; WIDTH],
     k: &StageRow,
@@ -149,19 +149,19 @@ fn combination<T: Lanes, const S: usize>(
 }
 
 /// Returns a coordinate as a number. There are lanes for `f64` alone.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn number<T: Real>(x: T) -> f64 {
     x.as_f64().unwrap_or(f64::NAN)
 }
 
 /// Returns the largest sizes in all lanes.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn largest_lanes<T: Lanes, W: Vector<Scalar = T>, V: State>(
     sizes: &BlockSizes<W>,
 ) -> BlockSizes<V> {
     let all = |x: T, f: fn(f64, f64) -> f64| (1..T::COUNT).fold(x.lane(0), |y, i| f(x.lane(i), y));
     BlockSizes::from_parts(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         |block| V::Scalar::from_f64(all(sizes.at(block), Real::maximum)),
         V::Scalar::from_f64(all(sizes.sum(), |x, y| x + y)),
     )

@@ -16,13 +16,13 @@ impl StageRow {
     pub(crate) const ZERO: Self = Self([0.0; WIDTH]);
 
     /// Loads the numbers of the stages in a block of lanes.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn load<T: Lanes>(&self, block: usize) -> T {
         T::load(&self.0[block * T::COUNT..])
     }
 
     /// Stores the numbers of the stages in a block of lanes.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn store<T: Lanes>(&mut self, x: T, block: usize) {
         x.store(&mut self.0[block * T::COUNT..]);
     }

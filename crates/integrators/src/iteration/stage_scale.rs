@@ -53,19 +53,19 @@ pub(crate) trait Scale<V: State> {
 pub(crate) struct OwnScale;
 
 impl<V: State> Scale<V> for OwnScale {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
         compare_by(
             progress,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |b| progress.size.at(b),
         )
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V> {
         progress.change.at_most(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |b| progress.size.at(b) * tolerance,
         )
     }
@@ -75,7 +75,7 @@ impl<V: State> Scale<V> for OwnScale {
 ///
 /// With a single block, returns its change and its size. A size is at least the smallest normal number, since a number
 /// below it has fewer digits than the iteration is to find.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn compare_by<V: State>(
     Progress { change, size }: &Progress<V>,
     scale: impl Fn(usize) -> V::Scalar,
@@ -86,7 +86,7 @@ fn compare_by<V: State>(
     }
     let change = change.largest_of(
         size,
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         |b| change.at(b) / scale(b).maximum((change.at(b) * BEYOND).maximum(least)),
     );
     (change, V::Scalar::from_f64(1.0))
@@ -105,7 +105,7 @@ impl<V: State> Progress<V> {
 
 impl<V: State> StageScale<V> {
     /// Returns the scales of a step of the given size from z.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn new(z: &V, step: f64) -> Self {
         let start = BlockSizes::of(core::slice::from_ref(z));
         let (length, least_rate) = (step.abs(), (LEAST_RATE / step.abs()).min(f64::MAX));
@@ -114,11 +114,11 @@ impl<V: State> StageScale<V> {
 }
 
 impl<V: State> Scale<V> for StageScale<V> {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
         let (zero, size) = (V::Scalar::from_f64(0.0), &progress.size);
         let rate = size.largest_unchecked(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |b| {
                 let outgrown = (size.at(b) * self.length).at_most(self.start.at(b)).not();
                 Real::select(outgrown, zero, size.at(b) * self.inverse.at(b))
@@ -127,15 +127,15 @@ impl<V: State> Scale<V> for StageScale<V> {
         let rate = rate.maximum(V::Scalar::from_f64(self.least_rate));
         compare_by(
             progress,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |b| size.at(b).maximum(rate * self.start.at(b)),
         )
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V> {
         progress.change.at_most(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |b| {
                 let moved = progress.size.at(b) * self.length;
                 self.start.at(b).larger(moved) * (tolerance / self.length)

@@ -115,7 +115,7 @@ pub(crate) trait StageEquations<V: State> {
     /// Solves the equations from the guess in `k` with one stage in each SIMD lane, if they support that.
     ///
     /// The ratios are those of the changes in the previous iteration.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn solve_in_lanes(
         &mut self,
         _solver: &StageSolver,
@@ -127,12 +127,12 @@ pub(crate) trait StageEquations<V: State> {
 }
 
 impl<V: State, F: FnMut(usize, &[V], &mut V)> StageEquations<V> for F {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn has_low_parts(&self) -> bool {
         false
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn evaluate(&mut self, i: usize, k: &[V], _near: MaskOf<V>, value: &mut V) {
         self(i, k, value);
     }
@@ -150,7 +150,7 @@ impl StageSolver {
     ///
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the iteration diverges or does not converge in some lane.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn solve<V: State>(
         &self,
         mut start: V,
@@ -188,7 +188,7 @@ impl StageSolver {
     /// assert!((k - k.cos()).abs() < 1e-15);
     /// # Ok::<(), collective_integrators::StepError>(())
     /// ```
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn solve_by_sweeps(&self, mut sweep: impl FnMut() -> [f64; 2]) -> Result<usize, StepError> {
         let advance = |_, _| {
             let [change, size] = sweep().map(|x| BlockSizes::of(&[Vector1::new(x)]));
@@ -202,7 +202,7 @@ impl StageSolver {
     /// iteration.
     ///
     /// Lanes that are `done` stay as they are. The vector `spare` is overwritten.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn solve_from<V: State>(
         &self,
         done: MaskOf<V>,
@@ -218,13 +218,13 @@ impl StageSolver {
             (done, whole),
             scale,
             pace,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |done, near| {
                 sweep(
                     done,
                     k,
                     spare,
-                    #[inline(always)]
+                    #[cfg_attr(optimised, inline(always))]
                     |i, k, value| equations.evaluate(i, k, near, value),
                 )
             },
@@ -238,7 +238,7 @@ impl StageSolver {
     ///
     /// # Errors
     /// Returns [`Unconverged`] if the iteration does not converge in some lane, or to a solution far from the guess.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn newton<V: State>(
         &self,
         most: usize,
@@ -256,7 +256,7 @@ impl StageSolver {
     ///
     /// The closure `advance` receives the lanes that are to stay as they are and those that have just come close. It
     /// returns the changes and the sizes of the stages.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn iterate<V: State>(
         &self,
         most: usize,
@@ -315,13 +315,13 @@ impl StageSolver {
 }
 
 /// Returns the ratios that a lane had when it ended.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn keep<T: Real>(ended: T::Mask, [a, b]: Ratios<T>, [c, d]: Ratios<T>) -> Ratios<T> {
     [T::select(ended, a, c), T::select(ended, b, d)]
 }
 
 /// Makes one sweep over all stages, in the lanes that are not `done`. The vector `spare` is overwritten.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn sweep<V: State>(
     done: MaskOf<V>,
     k: &mut [V],
@@ -350,7 +350,7 @@ pub(crate) fn sweep<V: State>(
 }
 
 /// Sets k_i = `value` in the lanes that are not `done`.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn fill_unless<V: State>(done: MaskOf<V>, k: &mut [V], value: &V) {
     for k in k {
         k.replace_where(done.not(), value);
@@ -358,7 +358,7 @@ pub(crate) fn fill_unless<V: State>(done: MaskOf<V>, k: &mut [V], value: &V) {
 }
 
 /// Makes the storage hold `count` vectors of the space of `like`.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn fit<V: State>(storage: &mut Vec<V>, count: usize, like: &V) {
     if storage.len() != count || storage.first().is_some_and(|first| !first.same_shape(like)) {
         storage.clear();
@@ -367,7 +367,7 @@ pub(crate) fn fit<V: State>(storage: &mut Vec<V>, count: usize, like: &V) {
 }
 
 /// Writes Σ_j a_j k_j to the sum.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn set_combination<V: State>(sum: &mut V, row: &[f64], k: &[V]) {
     sum.set_zero();
     sum.add_combination(row, k);

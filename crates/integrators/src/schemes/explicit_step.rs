@@ -40,7 +40,7 @@ pub(crate) fn four_stages<T: Real, F: VectorField<T>>(
 }
 
 /// Returns z + Σ_j a_j k_j, the newest term last: the others need not wait for it.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn moved<V: State, const N: usize>(z: &V, terms: [(f64, &V); N]) -> V {
     let mut point = z.clone();
     for (a, k) in terms {

@@ -24,7 +24,7 @@ pub trait Polarisation: Copy + Debug + Default + PartialEq + Send + Sync + 'stat
     fn conjugate(i: usize, dim: usize) -> usize;
 
     /// Returns the point with the positions q of u and the momenta p of v.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn splice<V: State>(u: &V, v: &V) -> V {
         let mut z = v.clone();
         Self::splice_into(u, v, &mut z);
@@ -32,11 +32,11 @@ pub trait Polarisation: Copy + Debug + Default + PartialEq + Send + Sync + 'stat
     }
 
     /// Writes to z the point with the positions q of u and the momenta p of v.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn splice_into<V: State>(u: &V, v: &V, z: &mut V) {
         let dimension = z.dimension();
         z.set_entries(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |i| if Self::is_position(i, dimension) { u.entry(i) } else { v.entry(i) },
         );
     }
@@ -47,12 +47,12 @@ pub trait Polarisation: Copy + Debug + Default + PartialEq + Send + Sync + 'stat
 pub struct FirstHalf;
 
 impl Polarisation for FirstHalf {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn is_position(i: usize, dim: usize) -> bool {
         i < dim / 2
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn conjugate(i: usize, dim: usize) -> usize {
         if i < dim / 2 { i + dim / 2 } else { i - dim / 2 }
     }
@@ -63,12 +63,12 @@ impl Polarisation for FirstHalf {
 pub struct Alternating;
 
 impl Polarisation for Alternating {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn is_position(i: usize, _: usize) -> bool {
         i.is_multiple_of(2)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn conjugate(i: usize, _: usize) -> usize {
         i ^ 1
     }

@@ -72,7 +72,7 @@ impl<V: State> Refinement<V> {
 
     /// Computes the stages z + e + h Σ_j a_ij k_j, as their rounded values and the rounding errors, and X at the
     /// rounded values.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn evaluate<F: VectorField<V::Scalar, Point = V>>(
         &mut self,
         field: &F,
@@ -92,7 +92,7 @@ impl<V: State> Refinement<V> {
 
     /// Improves the corrections δk_i = X(Z_i) − k_i + X′·(δZ_i + h Σ_j a_ij δk_j) by turns, where Z_i + δZ_i is a
     /// stage.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn sweep<F: VectorField<V::Scalar, Point = V>>(
         &mut self,
         field: &F,

@@ -64,7 +64,7 @@ impl RungeKutta {
     }
 
     /// Returns whether the method is explicit, and therefore without a predictor.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn is_explicit(&self) -> bool {
         self.predictor.stages == 0
     }
@@ -74,7 +74,7 @@ impl RungeKutta {
     ///
     /// The iteration starts from a prediction if the workspace has one. Otherwise, or if that fails, it starts from
     /// X(z). If this fails too, Newton's iteration follows. Its results are not suitable for predictions.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn solve_stages<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -132,7 +132,7 @@ impl RungeKutta {
 
     /// Computes the stage derivatives of a step in the workspace. Returns the number of iterations, and the lanes in
     /// which the fixed-point iteration converged.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn stages<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -160,7 +160,7 @@ impl RungeKutta {
 
     /// Returns h Σ_i (b_i + low_i) k_i for the stage derivatives in the workspace, and records the end of the step
     /// there.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn end<V: State>(&self, z: &V, step: f64, workspace: &mut StageSpace<V>) -> V {
         let StageSpace { k, memory, pool, .. } = workspace;
         let (mut sum, mut change) = (V::take(pool, z), V::take(pool, z));
@@ -189,12 +189,12 @@ struct Stages<'a, F, V: State> {
 }
 
 impl<F: VectorField<V::Scalar, Point = V>, V: State> StageEquations<V> for Stages<'_, F, V> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn has_low_parts(&self) -> bool {
         !self.tableau.row_low(0).is_empty()
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn solve_in_lanes(
         &mut self,
         solver: &StageSolver,
@@ -207,7 +207,7 @@ impl<F: VectorField<V::Scalar, Point = V>, V: State> StageEquations<V> for Stage
         self.field.solve_in_lanes(&mut problem)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn evaluate(&mut self, i: usize, k: &[V], near: MaskOf<V>, value: &mut V) {
         let mut stage = V::take(self.pool, self.z);
         if near.any() {
@@ -235,7 +235,7 @@ impl<F: VectorField<V::Scalar, Point = V>, V: State> StageEquations<V> for Stage
 }
 
 /// Returns whether the scalars of the state are plain numbers, and the state is not on the heap.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn is_plain_and_small<V: State>() -> bool {
     size_of::<V::Pool>() == 0 && V::Scalar::from_f64(0.0).as_f64().is_some()
 }
@@ -277,7 +277,7 @@ impl Scheme for RungeKutta {
         }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -302,7 +302,7 @@ impl Scheme for RungeKutta {
     ///
     /// This takes four more evaluations of the field for each stage. What remains are the rounding errors of the field,
     /// and of the stages if Newton's iteration solves for them. Explicit methods use the default.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -330,7 +330,7 @@ impl Scheme for RungeKutta {
         Ok(Step { point: Pair(change, lost), iterations })
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn temporaries<'a, V: State>(
         &self,
         workspace: &'a mut StageSpace<V>,
@@ -338,7 +338,7 @@ impl Scheme for RungeKutta {
         Some(&mut workspace.pool)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn forget<V: State>(&self, workspace: &mut StageSpace<V>) {
         workspace.memory.forget();
     }

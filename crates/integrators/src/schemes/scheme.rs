@@ -33,7 +33,7 @@ impl<V: State> Step<V> {
     /// assert_eq!(Step::of_copy(&start, twice)?.point.x, 6.0);
     /// # Ok::<(), collective_integrators::StepError>(())
     /// ```
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn of_copy(
         state: &V,
         advance: impl FnOnce(&mut V) -> Result<usize, StepError>,
@@ -47,7 +47,7 @@ impl<V: State> Step<V> {
     ///
     /// # Errors
     /// Returns [`StepError::NotFinite`] if a coordinate is infinite or not a number, in some SIMD lane of the scalar.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn finite(self) -> Result<Self, StepError> {
         if self.point.all_finite() { Ok(self) } else { Err(StepError::NotFinite) }
     }
@@ -139,7 +139,7 @@ pub trait Scheme: Clone {
     ///
     /// # Errors
     /// Returns the errors of [`increment`](Self::increment).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -158,7 +158,7 @@ pub trait Scheme: Clone {
     /// # Errors
     /// Returns a [`StepError`] if stage equations are not solved, or if the result is not finite. In these cases only
     /// the workspace is changed.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -178,7 +178,7 @@ pub trait Scheme: Clone {
     ///
     /// # Errors
     /// Returns the errors of [`step`](Self::step). In that case the point z is not changed.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step_in_place<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -197,7 +197,7 @@ pub trait Scheme: Clone {
     ///
     /// The default returns `None`, for schemes that keep no temporary vectors. Return a pool only if `increment` takes
     /// its point from it: otherwise the pool grows by one vector with each step in place.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn temporaries<'a, V: State>(
         &self,
         _workspace: &'a mut Self::Workspace<V>,
@@ -234,7 +234,7 @@ pub trait Scheme: Clone {
 }
 
 /// Takes a temporary vector of the space of z from the pool of a workspace, if there is one.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn take<S: Scheme, V: State>(scheme: &S, workspace: &mut S::Workspace<V>, z: &V) -> V {
     match scheme.temporaries(workspace) {
         Some(pool) => V::take(pool, z),
@@ -243,7 +243,7 @@ pub(crate) fn take<S: Scheme, V: State>(scheme: &S, workspace: &mut S::Workspace
 }
 
 /// Gives a vector back to the pool of a workspace, if there is one.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn give<S: Scheme, V: State>(scheme: &S, workspace: &mut S::Workspace<V>, v: V) {
     if let Some(pool) = scheme.temporaries(workspace) {
         v.give(pool);

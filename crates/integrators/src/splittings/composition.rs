@@ -56,7 +56,7 @@ impl<S> Composition<S> {
 
     /// Makes one substep after the other, until one fails. Returns the number of iterations. A substep is told whether it is
     /// the last one.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn chain(
         &self,
         step: f64,
@@ -81,7 +81,7 @@ impl<S: Scheme> Scheme for Composition<S> {
     }
 
     /// Returns the sum of the increments of the substeps.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -95,7 +95,7 @@ impl<S: Scheme> Scheme for Composition<S> {
         let mut sum: Option<F::Point> = None;
         let made = self.chain(
             step,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |step, is_last| {
                 let Step { point, iterations } =
                     self.base.increment(field, &from, step, workspace)?;
@@ -130,7 +130,7 @@ impl<S: Scheme> Scheme for Composition<S> {
 
     /// Returns the sum of the refined increments of the substeps. Each substep starts where the one before it ended,
     /// with the rounding error that is carried along.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn refined_increment<T: Real, F: VectorField<T>>(
         &self,
         field: &F,
@@ -144,7 +144,7 @@ impl<S: Scheme> Scheme for Composition<S> {
         let mut sum: Option<Pair<F::Point, F::Point>> = None;
         let made = self.chain(
             step,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |step, is_last| {
                 let Step { point: Pair(change, error), iterations } =
                     self.base.refined_increment(field, (&from, &carried), step, workspace)?;
@@ -181,7 +181,7 @@ impl<S: Scheme> Scheme for Composition<S> {
         }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn temporaries<'a, V: State>(
         &self,
         workspace: &'a mut Self::Workspace<V>,
@@ -189,7 +189,7 @@ impl<S: Scheme> Scheme for Composition<S> {
         self.base.temporaries(workspace)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn forget<V: State>(&self, workspace: &mut Self::Workspace<V>) {
         self.base.forget(workspace);
     }
@@ -222,7 +222,7 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
         (self.base.workspace(), Default::default())
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step(
         &self,
         state: &I::State,
@@ -231,18 +231,18 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
     ) -> Result<Step<I::State>, StepError> {
         Step::of_copy(
             state,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |z| {
                 self.chain(
                     step,
-                    #[inline(always)]
+                    #[cfg_attr(optimised, inline(always))]
                     |step, _| self.base.step_in_place(z, step, workspace),
                 )
             },
         )
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step_in_place(
         &self,
         state: &mut I::State,
@@ -259,7 +259,7 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Composition<I> {
         made
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn forget(&self, (workspace, _): &mut Self::Workspace) {
         self.base.forget(workspace);
     }

@@ -51,7 +51,7 @@ pub trait ExactFlows<T: Real = f64> {
     ///
     /// [`Splitting`](crate::Splitting) calls this method. The default calls [`flow`](Self::flow); override it for large
     /// points, and take temporary points from the pool, so that a step allocates nothing.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn flow_in_place(
         &self,
         index: usize,

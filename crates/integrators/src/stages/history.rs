@@ -54,7 +54,7 @@ impl<V: State> StageHistory<V> {
     }
 
     /// Removes the records of all steps.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn forget(&mut self) {
         self.steps = V::Scalar::from_f64(0.0);
         self.most = 0;
@@ -64,7 +64,7 @@ impl<V: State> StageHistory<V> {
     }
 
     /// Returns the lanes in which blocks of the derivatives are round-off of larger terms, so that sweeps do not converge.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn cancelling(&self) -> MaskOf<V> {
         self.cancelling
     }
@@ -82,7 +82,7 @@ impl<V: State> StageHistory<V> {
     ///
     /// # Errors
     /// Returns [`Unconverged`] if the iteration fails in some lane. Nothing is remembered in such a lane.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn solve<F: VectorField<V::Scalar, Point = V>>(
         &mut self,
         predictor: &Predictor,
@@ -120,7 +120,7 @@ impl<V: State> StageHistory<V> {
     }
 
     /// Records that the step that was solved last ends at z + `change`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn end_after(&mut self, z: &V, change: &V) {
         self.end_at(z);
         if let Some(end) = &mut self.end {
@@ -129,7 +129,7 @@ impl<V: State> StageHistory<V> {
     }
 
     /// Records the end of the step that was solved last.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn end_at(&mut self, z: &V) {
         match &mut self.end {
             Some(end) => end.assign(z),
@@ -139,7 +139,7 @@ impl<V: State> StageHistory<V> {
 
     /// Forgets all steps in lanes where a step does not continue from the memory, or everywhere if the memory comes
     /// from another method.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn keep_where(&mut self, z: &V, size: f64, predictor: &Predictor, frame: &impl StageFrame<V>) {
         let room = 2 * predictor.capacity();
         let moved = self.past.first().is_some_and(|past| !past.same_shape(z));
@@ -166,7 +166,7 @@ impl<V: State> StageHistory<V> {
     }
 
     /// Writes a prediction to k. Returns the lanes in which there is one.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn guess(
         &self,
         predictor: &Predictor,
@@ -194,7 +194,7 @@ impl<V: State> StageHistory<V> {
             let last = &past[past.len() - predictor.stages..];
             let last = BlockSizes::of(last);
             let modest = BlockSizes::of(k).at_most(
-                #[inline(always)]
+                #[cfg_attr(optimised, inline(always))]
                 |block| last.at(block) * LARGEST_GROWTH,
             );
             guessed = guessed.or(here.and(modest));
@@ -212,14 +212,14 @@ impl<V: State> StageHistory<V> {
     }
 
     /// Returns the lanes in which n steps are remembered.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn remembers(&self, n: usize) -> MaskOf<V> {
         let n = V::Scalar::from_f64(n as f64);
         self.steps.at_most(n).and(n.at_most(self.steps))
     }
 
     /// Remembers one more step in the lanes where it has converged, and forgets all steps in the others.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn remember(
         &mut self,
         predictor: &Predictor,
@@ -298,12 +298,12 @@ fn retried<M: Mask>(
 }
 
 /// Returns the lanes in which two points are equal to round-off, in every coordinate.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn near<V: State>(a: &V, b: &V) -> MaskOf<V> {
     let (mut apart, size) = (BlockSizes::zero(), BlockSizes::of(core::slice::from_ref(b)));
     apart.include_difference(a, b);
     apart.at_most(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         |block| size.at(block) * ROUND_OFF,
     )
 }

@@ -32,7 +32,7 @@ where
     for<'a, 'b> Attempt<'a, 'b, F, V, 4>: UnfusedTask<NoStorage>,
     for<'a, 'b> Attempt<'a, 'b, F, V, 8>: UnfusedTask<NoStorage>,
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn solve_over_lanes(
         &self,
         instructions: InstructionSet,
@@ -80,11 +80,11 @@ where
     V: Vector<Scalar = f64>,
     T: Lanes,
 {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn run(self, (): &mut ()) {
         let Self { field, problem, outcome } = self;
         *outcome = Some(problem.solve::<T, <F as VectorField<T>>::Point, S>(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |z| VectorField::<T>::at(field, z),
         ));
     }
@@ -106,7 +106,7 @@ where
 {
     type Point = F::Point;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn at(&self, z: &F::Point) -> F::Point {
         self.field.at(z)
     }
@@ -115,12 +115,12 @@ where
         self.field.derivative(z, v)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn stage_frame(&self) -> impl StageFrame<F::Point> {
         self.field.stage_frame()
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn solve_in_lanes(&self, problem: &mut LaneProblem<'_, F::Point>) -> Option<Outcome<F::Point>> {
         self.lanes.solve_over_lanes(self.instructions, problem)
     }

@@ -63,7 +63,7 @@ impl<V: State> StageMemory<V> {
     /// Returns [`Unconverged`] if the iteration diverges or does not converge in some SIMD lane (one of several
     /// trajectories in one register). The other lanes hold their k, and remember it. The operator `?` converts the
     /// error into a [`StepError`](crate::StepError).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn solve(
         &mut self,
         solver: &StageSolver,
@@ -87,13 +87,13 @@ impl<V: State> StageMemory<V> {
     }
 
     /// Records the end of the step that was solved last.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn end_at(&mut self, z: &V) {
         self.memory.end_at(z);
     }
 
     /// Forgets all earlier steps.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn forget(&mut self) {
         self.memory.forget();
     }
@@ -117,12 +117,12 @@ fn without_guess<V: State>(
 struct ByValue<F>(F);
 
 impl<V: State, F: Fn(usize, &[V]) -> V> StageEquations<V> for ByValue<F> {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn has_low_parts(&self) -> bool {
         false
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn evaluate(&mut self, i: usize, k: &[V], _near: MaskOf<V>, value: &mut V) {
         *value = (self.0)(i, k);
     }

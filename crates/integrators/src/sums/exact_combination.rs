@@ -5,7 +5,7 @@ use crate::sums::two_sum::two_sum;
 use lie_poisson::{Real, State};
 
 /// Returns h (w + low) as a number of 26 bits and the rest, which is accurate to 2⁻⁷⁸ of the product.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn product_in_halves(h: f64, w: f64, low: f64) -> (f64, f64) {
     let ((h_upper, h_rest), (w_upper, w_rest)) = (halves(h), halves(w));
     let (upper, _) = halves(h * w);
@@ -20,7 +20,7 @@ fn product_in_halves(h: f64, w: f64, low: f64) -> (f64, f64) {
 /// Each coefficient h w_j and each vector k_j is split into halves of 26 bits. The product of the upper halves is
 /// exact, and its sum with z is split into the rounded value and the rounding error. The other terms, smaller by 2⁻²⁶,
 /// are added to e. The largest numbers, above 1e300, become NaN.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn add_exactly<V: State>(
     (z, e): (&mut V, &mut V),
     (step, weights, low): (f64, &[f64], &[f64]),

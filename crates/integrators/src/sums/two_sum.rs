@@ -10,7 +10,7 @@ use lie_poisson::{Pair, State, Vector};
 /// ```
 ///
 /// Source: D. E. Knuth, *The Art of Computer Programming*, vol. 2, §4.2.2, Thm. B.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn two_sum<V: State>(a: &V, b: &V, sum: &mut V, error: &mut V, spare: &mut V) {
     sum.assign(a);
     sum.add_in_place(b);
@@ -24,7 +24,7 @@ pub(crate) fn two_sum<V: State>(a: &V, b: &V, sum: &mut V, error: &mut V, spare:
 }
 
 /// Replaces (z, e) by (z, e) + (δz, δe), where e and δe have the size of rounding errors.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn add_compensated<V: State>(
     (z, e): (&mut V, &mut V),
     (dz, de): (&V, &V),
@@ -43,7 +43,7 @@ pub(crate) fn add_compensated<V: State>(
 }
 
 /// Returns a + b as its rounded value and the rounding error.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn exact_sum<V: Vector>(a: &V, b: &V) -> Pair<V, V> {
     let [mut sum, mut error, mut spare] = [V::zero(); 3];
     two_sum(a, b, &mut sum, &mut error, &mut spare);

@@ -206,7 +206,7 @@ impl LargeMatrix {
 /// The number of entries that are summed at a time, which fit into the first cache.
 const PART: usize = 1024;
 
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn include(size: f64, largest: &mut (f64,), sum: &mut f64) {
     largest.0 = if size > largest.0 { size } else { largest.0 };
     *sum += size;

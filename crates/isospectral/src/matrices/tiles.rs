@@ -18,7 +18,7 @@ struct Place {
 
 impl Place {
     /// Copies the tile of a matrix. Entries beyond the matrix keep their value.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn read(&self, x: &[f64], tile: &mut Tile) {
         for (column, k) in tile.iter_mut().zip(self.columns.clone()) {
             let entries = &x[self.n * k + self.rows.start..self.n * k + self.rows.end];
@@ -31,7 +31,7 @@ impl Place {
     }
 
     /// Writes the tile to a matrix.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn write(&self, tile: &Tile, x: &mut [f64]) {
         for (column, k) in tile.iter().zip(self.columns.clone()) {
             let entries = &mut x[self.n * k + self.rows.start..self.n * k + self.rows.end];
@@ -44,7 +44,7 @@ impl Place {
 }
 
 /// Calls `f` with the place of each tile on and above the diagonal, and with that of the transposed tile.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn for_tiles(n: usize, mut f: impl FnMut(&Place, &Place)) {
     let end = |first: usize| first..(first + TILE).min(n);
     for k in (0..n).step_by(TILE) {
@@ -57,7 +57,7 @@ fn for_tiles(n: usize, mut f: impl FnMut(&Place, &Place)) {
 }
 
 /// Writes f(x_jk, x_kj) to the entries (j, k) and (k, j) of the outputs, for j ≤ k and the inputs x.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn for_pairs<const I: usize, const O: usize>(
     n: usize,
     inputs: [&[f64]; I],

@@ -86,12 +86,12 @@ where
 
 /// A reference to a Hamiltonian is a Hamiltonian.
 impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T> + ?Sized> Hamiltonian<P, T> for &H {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn value(&self, z: &Point<P, T>) -> T {
         (**self).value(z)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn differential(&self, z: &Point<P, T>) -> Differential<P, T> {
         (**self).differential(z)
     }
@@ -171,7 +171,7 @@ macro_rules! energy {
         impl $crate::Energy for $name {
             type Space = $space;
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn energy<T: $crate::Real>(&self, $point: &$crate::Point<$space, T>) -> T {
                 let $system = self;
                 $formula
@@ -185,15 +185,15 @@ macro_rules! energy {
 pub struct Automatic<E>(pub E);
 
 impl<E: Energy, T: Real> Hamiltonian<E::Space, T> for Automatic<E> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn value(&self, z: &Point<E::Space, T>) -> T {
         self.0.energy::<T>(z)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn differential(&self, z: &Point<E::Space, T>) -> Differential<E::Space, T> {
         differential(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |z: &Point<E::Space, DualNumber<T>>| self.0.energy::<DualNumber<T>>(z),
             z,
         )

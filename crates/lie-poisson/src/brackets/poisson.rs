@@ -19,7 +19,7 @@ pub trait PoissonSpace: VectorSpace {
     ) -> Point<Self, T>;
 
     /// Returns the bracket {f, h}(z) of functions with the differentials `df` and `dh` at z.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn bracket<T: Real>(
         &self,
         z: &Point<Self, T>,
@@ -105,7 +105,7 @@ impl<A: LieAlgebra> VectorSpace for LiePoisson<A> {
 
 impl<A: LieAlgebra> PoissonSpace for LiePoisson<A> {
     /// Returns ∓`ad∗_ξ μ` with ξ = dh, for the (±)-bracket.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn hamiltonian_vector<T: Real>(
         &self,
         mu: &Momentum<A, T>,

@@ -36,13 +36,13 @@ impl So3 {
 impl LieAlgebra for So3 {
     type Element<T: Real> = Vector3<T>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn bracket<T: Real>(&self, xi: &Vector3<T>, eta: &Vector3<T>) -> Vector3<T> {
         cross(xi, eta)
     }
 
     /// Returns the coadjoint operator `ad∗_ξ μ = μ × ξ`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         xi: &Vector3<T>,

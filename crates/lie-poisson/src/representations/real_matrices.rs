@@ -17,13 +17,13 @@ impl Representation for SO3OnR3 {
         So3
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector3<T>) -> Vector3<T> {
         cross(xi, v)
     }
 
     /// Returns the transposed action `ξᵀ α = α × ξ`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &Vector3<T>,
@@ -33,7 +33,7 @@ impl Representation for SO3OnR3 {
     }
 
     /// Returns the diamond product `v ◇ α = v × α`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Vector3<T>,
@@ -75,13 +75,13 @@ impl Representation for SO2OnR2 {
         So2
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &Vector1<T>, v: &Vector2<T>) -> Vector2<T> {
         Vector2::new(-v.y, v.x) * xi.x
     }
 
     /// Returns the transposed action `ωᵀ α = ω (α₂, −α₁)`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &Vector1<T>,
@@ -91,7 +91,7 @@ impl Representation for SO2OnR2 {
     }
 
     /// Returns the diamond product `v ◇ α = v₁α₂ − v₂α₁`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Vector2<T>,
@@ -133,13 +133,13 @@ impl Representation for SL2OnR2 {
         Sl2
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector2<T>) -> Vector2<T> {
         Sl2.matrix(xi) * v
     }
 
     /// Returns the transposed action `ξᵀ α` by the transposed matrix.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &Vector3<T>,
@@ -149,7 +149,7 @@ impl Representation for SL2OnR2 {
     }
 
     /// Returns the diamond product `v ◇ α = (v₁α₁ − v₂α₂, v₂α₁, v₁α₂)`.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Vector2<T>,

@@ -34,7 +34,7 @@ pub struct SemidirectAlgebra<R>(pub R);
 impl<R: Representation> LieAlgebra for SemidirectAlgebra<R> {
     type Element<T: Real> = Element<R, T>;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn bracket<T: Real>(&self, xi: &Element<R, T>, eta: &Element<R, T>) -> Element<R, T> {
         let (Pair(xi, phi), Pair(eta, zeta)) = (xi, eta);
         Pair(
@@ -43,7 +43,7 @@ impl<R: Representation> LieAlgebra for SemidirectAlgebra<R> {
         )
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         xi: &Element<R, T>,

@@ -31,12 +31,12 @@ impl Multipliers for DualQuaternions {
         LiePoisson::minus(SemidirectAlgebra(SO3OnR3))
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn one<T: Real>(&self) -> Self::Multiplier<T> {
         Pair(Quaternion::one(), Vector::zero())
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn generate<T: Real>(
         &self,
         dh: &Pair<Vector3<T>, Vector3<T>>,
@@ -48,7 +48,7 @@ impl Multipliers for DualQuaternions {
         Pair(times(&turn, &q.0), times(&turn, &q.1) + times(&push, &q.0))
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn transport<T: Real>(&self, q: &Self::Multiplier<T>, mu: &Se3Dual<T>) -> Se3Dual<T> {
         let (Pair(q, n), Covector(Pair(pi, gamma))) = (q, mu);
         let half = gamma * T::from_f64(0.5);
@@ -60,7 +60,7 @@ impl Multipliers for DualQuaternions {
     /// Returns the change of μ under the unit dual quaternion near Q + εN, which has |Q|² = 1 and x₀ = 0.
     // Without the attribute, the compiler does not inline it in steps over SIMD lanes, which costs a twentieth of
     // their time.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint_change<T: Real>(&self, q: &Self::Multiplier<T>, mu: &Se3Dual<T>) -> Se3Dual<T> {
         let (Pair(q, n), Covector(Pair(pi, gamma))) = (q, mu);
         let change = q.rotation_change(gamma);
@@ -69,7 +69,7 @@ impl Multipliers for DualQuaternions {
     }
 
     /// Returns the product (Q + εN)(A + εB) = QA + ε(QB + NA).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn product<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
@@ -80,7 +80,7 @@ impl Multipliers for DualQuaternions {
 
     /// Returns (A + εB)⁻¹ = A′/|A|² + ε (B′ − 2 ⟨A, B⟩ A′/|A|²)/|A|² for A ≠ 0, where A′ = conj(A) and B′ =
     /// conj(B).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Self::Multiplier<T> {
         let Pair(a, b) = b;
         let scale = T::one() / a.norm_squared();

@@ -98,7 +98,7 @@ pub trait Multipliers: Clone {
     /// method restores them first. If it then computes the change without cancellation, the change is exact
     /// to a few units of round-off of its own size, and the Casimirs of μ are conserved up to unbiased
     /// rounding errors.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint_change<T: Real>(
         &self,
         q: &Self::Multiplier<T>,

@@ -23,17 +23,17 @@ impl Multipliers for Quaternions {
         LiePoisson::minus(So3)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn one<T: Real>(&self) -> Quaternion<T> {
         Quaternion::one()
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn generate<T: Real>(&self, omega: &Vector3<T>, q: &Quaternion<T>) -> Quaternion<T> {
         Quaternion::imaginary_times(&(omega * T::from_f64(-0.5)), q)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn transport<T: Real>(
         &self,
         q: &Quaternion<T>,
@@ -43,7 +43,7 @@ impl Multipliers for Quaternions {
     }
 
     /// Returns the change of μ under the rotation by Q/|Q|.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint_change<T: Real>(
         &self,
         q: &Quaternion<T>,
@@ -52,13 +52,13 @@ impl Multipliers for Quaternions {
         Covector(q.rotation_change(&mu.0))
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn product<T: Real>(&self, q: &Quaternion<T>, b: &Quaternion<T>) -> Quaternion<T> {
         *q * *b
     }
 
     /// Returns B⁻¹ = conj(B)/|B|² for any B ≠ 0.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, b: &Quaternion<T>) -> Quaternion<T> {
         b.conjugate().scaled(T::one() / b.norm_squared())
     }

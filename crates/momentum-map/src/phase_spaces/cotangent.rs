@@ -26,7 +26,7 @@ pub struct Cotangent<Q: Vector> {
 
 impl<Q: Vector> Cotangent<Q> {
     /// Creates the point (q, p).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn new(q: Q, p: Q::Dual) -> Self {
         Self { q, p }
     }
@@ -39,31 +39,31 @@ impl<Q: Vector> Vector for Cotangent<Q> {
     const DIM: usize = 2 * Q::DIM;
 
     /// Returns the block of a coordinate: the blocks of q come first, then those of p.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn block(i: usize) -> usize {
         if i < Q::DIM { Q::block(i) } else { Q::BLOCKS + Q::block(i - Q::DIM) }
     }
 
     #[allow(clippy::redundant_closure)] // `&mut f` would be called, and this closure is inlined.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn from_coordinates(mut f: impl FnMut(usize) -> Q::Scalar) -> Self {
         let q = Q::from_coordinates(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |i| f(i),
         );
         let p = Q::Dual::from_coordinates(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |i| f(Q::DIM + i),
         );
         Self { q, p }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn coordinate(&self, i: usize) -> Q::Scalar {
         if i < Q::DIM { self.q.coordinate(i) } else { self.p.coordinate(i - Q::DIM) }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn scaled(&self, s: Q::Scalar) -> Self {
         Self { q: self.q.scaled(s), p: self.p.scaled(s) }
     }
@@ -71,7 +71,7 @@ impl<Q: Vector> Vector for Cotangent<Q> {
 
 impl<Q: Vector> Add for Cotangent<Q> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add(self, rhs: Self) -> Self {
         Self { q: self.q + rhs.q, p: self.p + rhs.p }
     }
@@ -79,7 +79,7 @@ impl<Q: Vector> Add for Cotangent<Q> {
 
 impl<Q: Vector> Sub for Cotangent<Q> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn sub(self, rhs: Self) -> Self {
         Self { q: self.q - rhs.q, p: self.p - rhs.p }
     }
@@ -87,14 +87,14 @@ impl<Q: Vector> Sub for Cotangent<Q> {
 
 impl<Q: Vector> Neg for Cotangent<Q> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn neg(self) -> Self {
         Self { q: -self.q, p: -self.p }
     }
 }
 
 impl<Q: Vector> AddAssign for Cotangent<Q> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add_assign(&mut self, rhs: Self) {
         self.q += rhs.q;
         self.p += rhs.p;
@@ -102,7 +102,7 @@ impl<Q: Vector> AddAssign for Cotangent<Q> {
 }
 
 impl<Q: Vector> SubAssign for Cotangent<Q> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn sub_assign(&mut self, rhs: Self) {
         self.q -= rhs.q;
         self.p -= rhs.p;
@@ -137,7 +137,7 @@ impl<Q: VectorSpace> VectorSpace for CotangentBundle<Q> {
 
 impl<Q: VectorSpace> PoissonSpace for CotangentBundle<Q> {
     /// Returns the Hamiltonian vector (∂H/∂p, −∂H/∂q).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn hamiltonian_vector<T: Real>(
         &self,
         _: &Point<Self, T>,
@@ -150,13 +150,13 @@ impl<Q: VectorSpace> PoissonSpace for CotangentBundle<Q> {
 
 impl<Q: VectorSpace> SymplecticSpace for CotangentBundle<Q> {
     /// Returns the canonical form Ω(u, v) = ⟨v.p, u.q⟩ − ⟨u.p, v.q⟩.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn symplectic_form<T: Real>(&self, u: &Point<Self, T>, v: &Point<Self, T>) -> T {
         u.q.pairing(&v.p) - v.q.pairing(&u.p)
     }
 
     /// Returns the covector i_x Ω = (−x.p, x.q), by coordinates.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn flat<T: Real>(&self, x: &Point<Self, T>) -> Differential<Self, T> {
         let p = map_coordinates(&x.q, |x| x);
         Covector(Cotangent { q: map_coordinates(&x.p, |x: T| -x), p })

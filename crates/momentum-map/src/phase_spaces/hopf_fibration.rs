@@ -18,7 +18,7 @@ use num_complex::Complex;
 /// let north = Vector2::new(Complex::new(0.6, 0.8), Complex::new(0.0, 0.0));
 /// assert!((hopf_map(&north) - Vector3::z()).norm() < 1e-15);
 /// ```
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn hopf_map<T: Real>(alpha: &Vector2<Complex<T>>) -> Vector3<T> {
     let overlap = alpha.x.conj() * alpha.y;
     Vector3::new(
@@ -31,7 +31,7 @@ pub fn hopf_map<T: Real>(alpha: &Vector2<Complex<T>>) -> Vector3<T> {
 /// Returns (T_α ϖ₂)ᵀ γ = 2 (γ·σ) α, the gradient of α ↦ γ·ϖ₂(α).
 ///
 /// Source: Ohsawa 2019, Appendix B (the second form of T_α ϖ₂ there; the first one has a misprinted sign).
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn hopf_pull_back<T: Real>(
     gamma: &Vector3<T>,
     alpha: &Vector2<Complex<T>>,
@@ -40,7 +40,7 @@ pub fn hopf_pull_back<T: Real>(
 }
 
 /// Returns (v·σ) χ with the Pauli matrices σ = (σ₁, σ₂, σ₃).
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn pauli<T: Real>(v: &Vector3<T>, chi: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
     let (a, b) = (chi.x, chi.y);
     Vector2::new(

@@ -3,20 +3,20 @@
 use crate::{DualNumber, Real, Vector};
 
 /// Returns z + ε v, the dual point at which a map is evaluated to get its derivative along v.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn seed<V, W>(z: &V, v: &V) -> W
 where
     V: Vector,
     W: Vector<Scalar = DualNumber<V::Scalar>>,
 {
     W::from_coordinates(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         |i| DualNumber::new(z.coordinate(i), v.coordinate(i)),
     )
 }
 
 /// Returns the coefficient of ε in w, the derivative of a map that was evaluated at a dual point.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn derivative_part<T, W, V>(w: &W) -> V
 where
     T: Real,
@@ -24,7 +24,7 @@ where
     V: Vector<Scalar = T>,
 {
     V::from_coordinates(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         |i| w.coordinate(i).derivative(),
     )
 }
@@ -39,14 +39,14 @@ where
 /// let f = |v: &Vector2<DualNumber>| v.x * v.x * v.y;
 /// assert_eq!(differential(f, &Vector2::new(3.0, 5.0)), Covector(Vector2::new(30.0, 9.0)));
 /// ```
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn differential<V, W>(f: impl Fn(&W) -> DualNumber<V::Scalar>, z: &V) -> V::Dual
 where
     V: Vector,
     W: Vector<Scalar = DualNumber<V::Scalar>>,
 {
     V::Dual::from_coordinates(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         |i| f(&seed(z, &V::basis(i))).derivative(),
     )
 }
@@ -54,7 +54,7 @@ where
 /// Computes the transposed tangent map (T_z f)ᵀ α ∈ V∗ of f: V → W for a covector α ∈ W∗.
 ///
 /// `A` is the type of α; `V2` and `W2` are V and W over dual numbers.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn transposed_tangent<V, V2, A, W2>(f: impl Fn(&V2) -> W2, z: &V, alpha: &A) -> V::Dual
 where
     V: Vector,
@@ -63,7 +63,7 @@ where
     W2: Vector<Scalar = DualNumber<V::Scalar>>,
 {
     V::Dual::from_coordinates(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         |i| {
             let column: A::Dual = derivative_part(&f(&seed(z, &V::basis(i))));
             alpha.pairing(&column)

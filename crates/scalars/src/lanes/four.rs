@@ -56,22 +56,22 @@ pub trait Permuted: Register {
 }
 
 impl<R: Permuted> FourLanes for Packed<R> {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn next(self) -> Self {
         Self(R::next(self.0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn previous(self) -> Self {
         Self(R::previous(self.0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn first(self) -> Self {
         Self(R::first(self.0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn sum(self) -> Self {
         let pairs = R::add(self.0, R::neighbours(self.0));
         Self(R::add(pairs, R::halves(pairs)))
@@ -79,27 +79,27 @@ impl<R: Permuted> FourLanes for Packed<R> {
 }
 
 impl Permuted for Two<Baseline> {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn next(a: Self) -> Self {
         Self::from_lanes(&mut |i| Self::lane(a, [1, 2, 0, 3][i]))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn previous(a: Self) -> Self {
         Self::from_lanes(&mut |i| Self::lane(a, [2, 0, 1, 3][i]))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn first(a: Self) -> Self {
         Self::splat(Self::lane(a, 0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn neighbours(a: Self) -> Self {
         Self::from_lanes(&mut |i| Self::lane(a, i ^ 1))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn halves(a: Self) -> Self {
         Self::from_lanes(&mut |i| Self::lane(a, i ^ 2))
     }

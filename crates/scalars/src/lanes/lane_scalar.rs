@@ -67,39 +67,39 @@ impl Lanes for f64 {
     const COUNT: usize = 1;
     const FUSED: bool = false;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn from_lanes(mut f: impl FnMut(usize) -> f64) -> Self {
         f(0)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn lane(&self, i: usize) -> f64 {
         if i == 0 { *self } else { f64::NAN }
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn load(values: &[f64]) -> Self {
         values.first().copied().unwrap_or(f64::NAN)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn store(self, values: &mut [f64]) {
         if let Some(value) = values.first_mut() {
             *value = self;
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn multiply_add(self, a: Self, b: Self) -> Self {
         self * a + b
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn multiply_subtract(self, a: Self, b: Self) -> Self {
         self * a - b
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn negative_multiply_add(self, a: Self, b: Self) -> Self {
         b - self * a
     }

@@ -20,20 +20,20 @@ macro_rules! operators {
     ($($trait:ident $method:ident $assign:ident $assign_method:ident $of_registers:ident;)*) => {$(
         impl<R: Register> $trait for Packed<R> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn $method(self, rhs: Self) -> Self {
                 Self(R::$of_registers(self.0, rhs.0))
             }
         }
         impl<R: Register> $trait<f64> for Packed<R> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn $method(self, rhs: f64) -> Self {
                 Self(R::$of_registers(self.0, R::splat(rhs)))
             }
         }
         impl<R: Register> $assign for Packed<R> {
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn $assign_method(&mut self, rhs: Self) {
                 self.0 = R::$of_registers(self.0, rhs.0);
             }
@@ -50,7 +50,7 @@ operators! {
 
 impl<R: Register> Neg for Packed<R> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn neg(self) -> Self {
         Self(R::negate(self.0))
     }
@@ -58,7 +58,7 @@ impl<R: Register> Neg for Packed<R> {
 
 /// Two values are equal if, in every lane, each is at most the other: NaN equals nothing, and −0 equals 0.
 impl<R: Register> PartialEq for Packed<R> {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn eq(&self, other: &Self) -> bool {
         R::at_most(self.0, other.0).and(R::at_most(other.0, self.0)).all()
     }
@@ -71,18 +71,18 @@ impl<R: Register> fmt::Debug for Packed<R> {
 }
 
 impl<R: Register> Zero for Packed<R> {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn zero() -> Self {
         Self(R::splat(0.0))
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn is_zero(&self) -> bool {
         *self == Self::zero()
     }
 }
 
 impl<R: Register> One for Packed<R> {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn one() -> Self {
         Self(R::splat(1.0))
     }
@@ -99,12 +99,12 @@ impl<R: Register> Real for Packed<R> {
     const HAS_SLOW_PATHS: bool = R::HAS_SLOW_PATHS;
     type Mask = R::Mask;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn from_f64(x: f64) -> Self {
         Self(R::splat(x))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn sqrt(self) -> Self {
         Self(R::root(self.0))
     }
@@ -137,27 +137,27 @@ impl<R: Register> Real for Packed<R> {
         Self::from_lanes(|i| self.lane(i).stumpff(order))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn at_most(self, bound: Self) -> R::Mask {
         R::at_most(self.0, bound.0)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn select(mask: R::Mask, yes: Self, no: Self) -> Self {
         Self(R::select(mask, yes.0, no.0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn magnitude(self) -> Self {
         Self(R::magnitude(self.0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn maximum(self, other: Self) -> Self {
         Self(R::maximum(self.0, other.0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn max_abs(self) -> f64 {
         let sizes = self.magnitude();
         let mut largest = 0.0;
@@ -172,17 +172,17 @@ impl<R: Register> Lanes for Packed<R> {
     const COUNT: usize = R::COUNT;
     const FUSED: bool = R::FUSED;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn from_lanes(mut f: impl FnMut(usize) -> f64) -> Self {
         Self(R::from_lanes(&mut f))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn lane(&self, i: usize) -> f64 {
         R::lane(self.0, i)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn load(values: &[f64]) -> Self {
         match R::load(values) {
             Some(register) => Self(register),
@@ -190,24 +190,24 @@ impl<R: Register> Lanes for Packed<R> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn store(self, values: &mut [f64]) {
         if R::store(self.0, values).is_none() {
             store_some(&self, values);
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn multiply_add(self, a: Self, b: Self) -> Self {
         Self(R::multiply_add(self.0, a.0, b.0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn multiply_subtract(self, a: Self, b: Self) -> Self {
         Self(R::multiply_subtract(self.0, a.0, b.0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn negative_multiply_add(self, a: Self, b: Self) -> Self {
         Self(R::negative_multiply_add(self.0, a.0, b.0))
     }

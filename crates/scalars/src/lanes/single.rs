@@ -10,7 +10,7 @@ pub struct FusedSingle(f64);
 
 macro_rules! formulas {
     ($($name:ident($($argument:ident),*) = $formula:expr;)*) => {$(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn $name($(Self($argument): Self),*) -> Self {
             Self($formula)
         }
@@ -36,38 +36,38 @@ impl Register for FusedSingle {
         negative_multiply_add(a, b, c) = (-a).mul_add(b, c);
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn splat(x: f64) -> Self {
         Self(x)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn from_lanes(f: &mut impl FnMut(usize) -> f64) -> Self {
         Self(f(0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn load(values: &[f64]) -> Option<Self> {
         values.first().map(|&x| Self(x))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn store(a: Self, values: &mut [f64]) -> Option<()> {
         *values.first_mut()? = a.0;
         Some(())
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn lane(a: Self, i: usize) -> f64 {
         if i == 0 { a.0 } else { f64::NAN }
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn at_most(a: Self, b: Self) -> bool {
         a.0 <= b.0
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
     }

@@ -34,17 +34,17 @@ pub trait Blocks<T>: Copy + Debug + PartialEq + Send + Sync + 'static {
 impl<T: Copy + Debug + PartialEq + Send + Sync + 'static> Blocks<T> for (T,) {
     const COUNT: usize = 1;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn uniform(value: T) -> Self {
         (value,)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn at(&self, _: usize) -> T {
         self.0
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn set(&mut self, _: usize, value: T) {
         self.0 = value;
     }
@@ -53,17 +53,17 @@ impl<T: Copy + Debug + PartialEq + Send + Sync + 'static> Blocks<T> for (T,) {
 impl<T: Copy, A: Blocks<T>, B: Blocks<T>> Blocks<T> for (A, B) {
     const COUNT: usize = A::COUNT + B::COUNT;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn uniform(value: T) -> Self {
         (A::uniform(value), B::uniform(value))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn at(&self, block: usize) -> T {
         if block < A::COUNT { self.0.at(block) } else { self.1.at(block - A::COUNT) }
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn set(&mut self, block: usize, value: T) {
         if block < A::COUNT {
             self.0.set(block, value);

@@ -39,7 +39,7 @@ pub trait Mask: Copy + Debug + Send + Sync + 'static {
     fn all(self) -> bool;
 
     /// Returns whether the mask is true in at least one lane.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn any(self) -> bool {
         !self.not().all()
     }
@@ -51,32 +51,32 @@ pub trait Mask: Copy + Debug + Send + Sync + 'static {
 impl Mask for bool {
     const COUNT: usize = 1;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn from_bool(truth: bool) -> Self {
         truth
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn and(self, other: Self) -> Self {
         self & other
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn or(self, other: Self) -> Self {
         self | other
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn not(self) -> Self {
         !self
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn all(self) -> bool {
         self
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn lane(self, i: usize) -> bool {
         self && i == 0
     }

@@ -12,7 +12,7 @@ use crate::Real;
 /// ```
 ///
 /// Source: S. M. Rump, *Ultimately fast accurate summation*, SIAM J. Sci. Comput. 31 (2009), Alg. 3.5.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn nearest_power_of_two<T: Real>(x: T) -> T {
     let q = x * (4.0 / 3.0 * (1.0 + 1.0 / f64::EPSILON));
     q - q * (1.0 - 0.5 * f64::EPSILON)

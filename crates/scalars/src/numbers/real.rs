@@ -77,7 +77,7 @@ pub trait Real:
     /// assert_eq!((Real::as_f64(2.5), DualNumber::constant(2.5).as_f64()), (Some(2.5), None));
     /// ```
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn as_f64(self) -> Option<f64> {
         None
     }
@@ -184,7 +184,7 @@ pub trait Real:
     /// Returns the larger of two numbers, lane by lane, and NaN where either is NaN. Dual numbers compare
     /// their values alone.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn larger(self, other: Self) -> Self {
         Self::select(self.at_most(self), self.maximum(other), self)
     }
@@ -199,7 +199,7 @@ pub trait Real:
     /// assert!(1.0.maximum(f64::NAN).is_nan() && f64::NAN.maximum(1.0) == 1.0);
     /// ```
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn maximum(self, other: Self) -> Self {
         let above = self.at_most(other).not().and(self.at_most(self)).and(other.at_most(other));
         Self::select(above, self, other)
@@ -207,13 +207,13 @@ pub trait Real:
 
     /// Returns `yes` where x ≥ 0, and `no` where x < 0 or x is NaN, lane by lane.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn select_nonnegative(self, yes: Self, no: Self) -> Self {
         Self::select(Self::from_f64(0.0).at_most(self), yes, no)
     }
 
     /// Returns whether |x| ≤ `bound` in every lane and every part; false if any of them is NaN.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn all_below(self, bound: f64) -> bool {
         self.magnitude().at_most(Self::from_f64(bound)).all()
     }
@@ -234,7 +234,7 @@ impl Real for f64 {
         x
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn as_f64(self) -> Option<f64> {
         Some(self)
     }
@@ -293,7 +293,7 @@ impl Real for f64 {
         self.abs()
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn maximum(self, other: Self) -> Self {
         if self > other { self } else { other }
     }

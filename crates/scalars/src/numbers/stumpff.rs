@@ -48,7 +48,7 @@ fn over_factorial(sum: f64, order: u32) -> f64 {
 /// ```
 ///
 /// In the second form each result depends on half as many earlier ones.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn five_factors(x: f64, order: u32) -> Option<f64> {
     let factors = FACTORS.get(order as usize..)?.first_chunk::<9>()?;
     let tail = 1.0 - factors[8].0 * x;
@@ -56,7 +56,7 @@ fn five_factors(x: f64, order: u32) -> Option<f64> {
 }
 
 /// Returns k! cₖ(x) by the first ten terms of the series, as [`five_factors`] does.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn nine_factors(x: f64, order: u32) -> Option<f64> {
     let factors = FACTORS.get(order as usize..)?.first_chunk::<17>()?;
     let tail = pair(x, factors[8], pair(x, factors[12], 1.0 - factors[16].0 * x));
@@ -64,7 +64,7 @@ fn nine_factors(x: f64, order: u32) -> Option<f64> {
 }
 
 /// Adds two terms before a tail.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn pair(x: f64, (factor, product): (f64, f64), tail: f64) -> f64 {
     (1.0 - factor * x) + (product * (x * x)) * tail
 }

@@ -10,7 +10,7 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
     type Dual = Covector<Self>;
     const DIM: usize = R * C;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
         let mut matrix = Self::from_array_storage(ArrayStorage([[T::zero(); R]; C]));
         // nalgebra stores by columns, which is the order of the coordinates.
@@ -20,7 +20,7 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
         matrix
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn coordinate(&self, i: usize) -> T {
         match self.as_slice().get(i) {
             Some(x) => *x,
@@ -28,7 +28,7 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
         }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn scaled(&self, s: T) -> Self {
         let mut product = Self::from_array_storage(ArrayStorage([[T::zero(); R]; C]));
         for (product, x) in product.as_mut_slice().iter_mut().zip(self.as_slice()) {
@@ -44,7 +44,7 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, 
     type Dual = Covector<Self>;
     const DIM: usize = 2 * R * C;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
         let zero = Complex { re: T::zero(), im: T::zero() };
         let mut matrix = Self::from_array_storage(ArrayStorage([[zero; R]; C]));
@@ -54,7 +54,7 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, 
         matrix
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn coordinate(&self, i: usize) -> T {
         match self.as_slice().get(i / 2) {
             Some(z) if i.is_multiple_of(2) => z.re,
@@ -63,7 +63,7 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, 
         }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn scaled(&self, s: T) -> Self {
         let zero = Complex { re: T::zero(), im: T::zero() };
         let mut product = Self::from_array_storage(ArrayStorage([[zero; R]; C]));
@@ -88,7 +88,7 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, 
 /// assert_eq!(cross(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(4.0, 5.0, 6.0)), Vector3::new(-3.0, 6.0, -3.0));
 /// ```
 #[must_use]
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn cross<T: Real>(u: &Vector3<T>, v: &Vector3<T>) -> Vector3<T> {
     Vector3::new(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x)
 }
@@ -102,7 +102,7 @@ pub fn cross<T: Real>(u: &Vector3<T>, v: &Vector3<T>) -> Vector3<T> {
 /// assert_eq!(dot(&Vector3::new(1.0, 2.0, 3.0), &Vector3::new(4.0, 5.0, 6.0)), 32.0);
 /// ```
 #[must_use]
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn dot<T: Real>(u: &Vector3<T>, v: &Vector3<T>) -> T {
     u.x * v.x + u.y * v.y + u.z * v.z
 }
@@ -123,7 +123,7 @@ pub fn dot<T: Real>(u: &Vector3<T>, v: &Vector3<T>) -> T {
 /// assert_eq!(constant_times(&a, &v).map(|x| x.derivative()), a.column(1));
 /// ```
 #[must_use]
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn constant_times<T: Real, const R: usize, const C: usize>(
     a: &SMatrix<f64, R, C>,
     v: &SVector<T, C>,
@@ -132,7 +132,7 @@ pub fn constant_times<T: Real, const R: usize, const C: usize>(
     for (i, x) in product.as_mut_slice().iter_mut().enumerate() {
         *x = sum_of_products(
             C,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |j| v[j] * a[(i, j)],
         );
     }
@@ -149,7 +149,7 @@ pub fn constant_times<T: Real, const R: usize, const C: usize>(
 /// assert_eq!(constant_transpose_times(&a, &Vector2::new(1.0, -1.0)), Vector3::new(-3.0, -3.0, -3.0));
 /// ```
 #[must_use]
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn constant_transpose_times<T: Real, const R: usize, const C: usize>(
     a: &SMatrix<f64, R, C>,
     v: &SVector<T, R>,
@@ -158,7 +158,7 @@ pub fn constant_transpose_times<T: Real, const R: usize, const C: usize>(
     for (j, x) in product.as_mut_slice().iter_mut().enumerate() {
         *x = sum_of_products(
             R,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |i| v[i] * a[(i, j)],
         );
     }
@@ -166,7 +166,7 @@ pub fn constant_transpose_times<T: Real, const R: usize, const C: usize>(
 }
 
 /// Returns the sum of the terms in order, from the first to the last, or zero if there are none.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn sum_of_products<T: Real>(count: usize, term: impl Fn(usize) -> T) -> T {
     // A sum that starts from zero would lose the sign of −0.
     let mut sum = if count == 0 { T::zero() } else { term(0) };

@@ -38,20 +38,20 @@ pub struct Quaternion<T = f64> {
 impl<T: Real> Quaternion<T> {
     /// Returns the quaternion 1.
     #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn one() -> Self {
         Self { scalar: T::one(), vector: Vector3::zeros() }
     }
 
     /// Returns the conjugate s − v.
     #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn conjugate(&self) -> Self {
         Self { scalar: self.scalar, vector: -self.vector }
     }
 
     /// Returns the square of the norm, |q|² = s² + |v|².
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn norm_squared(&self) -> T {
         self.scalar * self.scalar + dot(&self.vector, &self.vector)
     }
@@ -67,7 +67,7 @@ impl<T: Real> Quaternion<T> {
     /// assert_eq!(q.times_imaginary(&v), q * Quaternion { scalar: 0.0, vector: v });
     /// ```
     #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn times_imaginary(&self, v: &Vector3<T>) -> Self {
         Self { scalar: -dot(&self.vector, v), vector: v * self.scalar + cross(&self.vector, v) }
     }
@@ -83,7 +83,7 @@ impl<T: Real> Quaternion<T> {
     /// assert_eq!(Quaternion::imaginary_times(&v, &q), Quaternion { scalar: 0.0, vector: v } * q);
     /// ```
     #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn imaginary_times(v: &Vector3<T>, q: &Self) -> Self {
         Self { scalar: -dot(v, &q.vector), vector: v * q.scalar + cross(v, &q.vector) }
     }
@@ -98,19 +98,19 @@ impl<T: Real> Quaternion<T> {
     /// assert_eq!(p.imaginary_part_by_conjugate(&q), (p * q.conjugate()).vector);
     /// ```
     #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn imaginary_part_by_conjugate(&self, q: &Self) -> Vector3<T> {
         self.vector * q.scalar - q.vector * self.scalar - cross(&self.vector, &q.vector)
     }
 
     /// Returns the imaginary part of q v conj(q) for imaginary v, which is |q|² times a rotation of v.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn sandwich(&self, v: &Vector3<T>) -> Vector3<T> {
         v * self.norm_squared() + self.twist(v)
     }
 
     /// Returns the rotation v + (2/|q|²)(s u×v + u×(u×v)) of v by q = s + u, for q ≠ 0 of any size.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn rotate(&self, v: &Vector3<T>) -> Vector3<T> {
         v + self.twist(v) / self.norm_squared()
     }
@@ -120,7 +120,7 @@ impl<T: Real> Quaternion<T> {
     /// The relative error is a few units of round-off. The formula uses d = |q|² − 1 = (s − 1)(s + 1) + |u|² instead
     /// of |q|²: rounding |q|² to a number next to 1 would give a biased error, since floating-point numbers lie twice
     /// as densely below 1 as above.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn rotation_change(&self, v: &Vector3<T>) -> Vector3<T> {
         let excess = (self.scalar - 1.0) * (self.scalar + 1.0) + dot(&self.vector, &self.vector);
         let twist = self.twist(v);
@@ -128,7 +128,7 @@ impl<T: Real> Quaternion<T> {
     }
 
     /// Returns the vector 2 (s u×v + u×(u×v)), which is |q|² times the change of v under the rotation.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn twist(&self, v: &Vector3<T>) -> Vector3<T> {
         let turned = cross(&self.vector, v);
         let sum = turned * self.scalar + cross(&self.vector, &turned);
@@ -142,18 +142,18 @@ impl<T: Real> Vector for Quaternion<T> {
     type Dual = Covector<Self>;
     const DIM: usize = 4;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
         let scalar = f(0);
         Self { scalar, vector: Vector3::new(f(1), f(2), f(3)) }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn coordinate(&self, i: usize) -> T {
         if i == 0 { self.scalar } else { self.vector.coordinate(i - 1) }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn scaled(&self, s: T) -> Self {
         Self { scalar: self.scalar * s, vector: self.vector * s }
     }
@@ -161,7 +161,7 @@ impl<T: Real> Vector for Quaternion<T> {
 
 impl<T: Real> Mul for Quaternion<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn mul(self, rhs: Self) -> Self {
         Self {
             scalar: self.scalar * rhs.scalar - dot(&self.vector, &rhs.vector),
@@ -174,7 +174,7 @@ impl<T: Real> Mul for Quaternion<T> {
 
 impl<T: Real> Add for Quaternion<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add(self, rhs: Self) -> Self {
         Self { scalar: self.scalar + rhs.scalar, vector: self.vector + rhs.vector }
     }
@@ -182,7 +182,7 @@ impl<T: Real> Add for Quaternion<T> {
 
 impl<T: Real> Sub for Quaternion<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn sub(self, rhs: Self) -> Self {
         Self { scalar: self.scalar - rhs.scalar, vector: self.vector - rhs.vector }
     }
@@ -190,21 +190,21 @@ impl<T: Real> Sub for Quaternion<T> {
 
 impl<T: Real> Neg for Quaternion<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn neg(self) -> Self {
         Self { scalar: -self.scalar, vector: -self.vector }
     }
 }
 
 impl<T: Real> AddAssign for Quaternion<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add_assign(&mut self, rhs: Self) {
         *self = *self + rhs;
     }
 }
 
 impl<T: Real> SubAssign for Quaternion<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn sub_assign(&mut self, rhs: Self) {
         *self = *self - rhs;
     }

@@ -61,7 +61,7 @@ impl<V> DerefMut for Sites<V> {
 
 impl<V: Vector> Sites<V> {
     /// Calls f(vᵢ, xᵢ) for every i.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn each(&mut self, x: &Self, mut f: impl FnMut(&mut V, &V)) {
         self.0.iter_mut().zip(&x.0).for_each(|(v, x)| f(v, x));
     }

@@ -99,14 +99,14 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     fn zeros_of(shape: &Self::Shape) -> Self;
 
     /// Returns whether the two vectors belong to one space.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn same_shape(&self, other: &Self) -> bool {
         self.shape() == other.shape()
     }
 
     /// Returns the zero vector of the same space.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn zeros_like(&self) -> Self {
         Self::zeros_of(&self.shape())
     }
@@ -119,7 +119,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     fn give(self, pool: &mut Self::Pool);
 
     /// Copies another vector into the storage of this one: v ← x.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn assign(&mut self, x: &Self) {
         self.clone_from(x);
     }
@@ -127,7 +127,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Takes the value of another vector, whose coordinates are arbitrary afterwards.
     ///
     /// A small vector is copied, and a large one exchanges its storage.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn move_from(&mut self, other: &mut Self) {
         core::mem::swap(self, other);
     }
@@ -139,7 +139,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     fn set_entry(&mut self, i: usize, x: Self::Scalar);
 
     /// Sets every coordinate: vᵢ ← f(i).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn set_entries(&mut self, f: impl Fn(usize) -> Self::Scalar) {
         for i in 0..self.dimension() {
             self.set_entry(i, f(i));
@@ -148,37 +148,37 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
 
     /// Returns the number of blocks that the vector has: [`BLOCKS`](Self::BLOCKS), or fewer if that is known only when the
     /// program runs. The blocks that it lacks are the last ones.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn blocks(&self) -> usize {
         Self::BLOCKS
     }
 
     /// Returns the block of the i-th coordinate, a number below [`BLOCKS`](Self::BLOCKS). The default is 0.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn block_of(&self, _i: usize) -> usize {
         0
     }
 
     /// Sets all coordinates to zero.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn set_zero(&mut self) {
         self.set_entries(|_| Self::Scalar::from_f64(0.0));
     }
 
     /// Adds another vector: v ← v + x.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add_in_place(&mut self, x: &Self) {
         self.add_multiple(Self::Scalar::from_f64(1.0), x);
     }
 
     /// Subtracts another vector: v ← v − x.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn subtract_in_place(&mut self, x: &Self) {
         self.add_multiple(Self::Scalar::from_f64(-1.0), x);
     }
 
     /// Subtracts from another vector: v ← x − v.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn subtract_from(&mut self, x: &Self) {
         self.scale_in_place(Self::Scalar::from_f64(-1.0));
         self.add_in_place(x);
@@ -192,7 +192,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
 
     /// Adds a linear combination of vectors: v ← v + Σ aⱼ kⱼ, in the order of the terms. Surplus coefficients or
     /// vectors are ignored.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add_combination(&mut self, a: &[f64], k: &[Self]) {
         for (&a, k) in a.iter().zip(k) {
             self.add_multiple(Self::Scalar::from_f64(a), k);
@@ -200,7 +200,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// Replaces the vector by another one in the SIMD lanes in which the mask is true.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn replace_where(&mut self, mask: <Self::Scalar as Real>::Mask, x: &Self) {
         for i in 0..self.dimension() {
             self.set_entry(i, Real::select(mask, x.entry(i), self.entry(i)));
@@ -210,7 +210,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Raises `largest` in each block to the largest |vᵢ| in that block, and adds every |vᵢ| to `sum`.
     ///
     /// The sum is NaN where a coordinate is NaN. The largest number may lose a NaN.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn measure(&self, largest: &mut Self::Blocks, sum: &mut Self::Scalar) {
         for i in 0..self.dimension() {
             let (block, size) = (self.block_of(i), self.entry(i).magnitude());
@@ -220,7 +220,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// Measures the difference v − x, as [`measure`](Self::measure) does.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn measure_difference(&self, x: &Self, largest: &mut Self::Blocks, sum: &mut Self::Scalar) {
         for i in 0..self.dimension() {
             let (block, size) = (self.block_of(i), (self.entry(i) - x.entry(i)).magnitude());

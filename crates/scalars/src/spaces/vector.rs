@@ -50,7 +50,7 @@ pub trait Vector:
     /// assert_eq!([0, 2, 3, 5].map(Momentum::block), [0, 0, 1, 1]);
     /// ```
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn block(_i: usize) -> usize {
         0
     }
@@ -61,32 +61,32 @@ pub trait Vector:
 
     /// Returns the zero vector.
     #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn zero() -> Self {
         Self::from_coordinates(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |_| num_traits::zero(),
         )
     }
 
     /// Returns the basis vector eᵢ, or zero for i ≥ DIM.
     #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn basis(i: usize) -> Self {
         Self::from_coordinates(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |j| if i == j { num_traits::one() } else { num_traits::zero() },
         )
     }
 
     /// Adds a multiple of another vector: v ← v + s x.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add_scaled(&mut self, s: Self::Scalar, x: &Self) {
         *self += x.scaled(s);
     }
 
     /// Returns the natural pairing ⟨α, v⟩ = Σ αᵢ vᵢ, which is symmetric in the roles of V and V∗.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn pairing(&self, dual: &Self::Dual) -> Self::Scalar {
         let mut sum: Self::Scalar = num_traits::zero();
         for i in 0..Self::DIM {
@@ -96,7 +96,7 @@ pub trait Vector:
     }
 
     /// Returns the maximum norm max |vᵢ| in each SIMD lane; NaN where any coordinate is NaN.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn max_norm(&self) -> Self::Scalar {
         let (mut most, mut sum): (Self::Scalar, Self::Scalar) =
             (num_traits::zero(), num_traits::zero());
@@ -110,23 +110,23 @@ pub trait Vector:
     }
 
     /// Returns max |vᵢ| over all coordinates and lanes, or NaN if any of them is NaN.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn max_abs(&self) -> f64 {
         self.max_norm().max_abs()
     }
 
     /// Returns `yes` in the lanes in which the mask is true, and `no` in the others, bit for bit.
     #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn select(mask: <Self::Scalar as Real>::Mask, yes: &Self, no: &Self) -> Self {
         Self::from_coordinates(
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |i| Real::select(mask, yes.coordinate(i), no.coordinate(i)),
         )
     }
 
     /// Returns whether every coordinate is a finite number in every lane.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn is_finite(&self) -> bool {
         self.max_norm().at_most(Self::Scalar::from_f64(f64::MAX)).all()
     }
@@ -143,10 +143,10 @@ pub trait Vector:
 /// let x: Vector2<DualNumber> = map_coordinates(&Vector2::new(1.0, 2.0), DualNumber::constant);
 /// assert_eq!(x.y.value_without_derivative(), 2.0);
 /// ```
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub fn map_coordinates<V: Vector, W: Vector>(v: &V, f: impl Fn(V::Scalar) -> W::Scalar) -> W {
     W::from_coordinates(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         |i| f(v.coordinate(i)),
     )
 }
@@ -192,96 +192,96 @@ macro_rules! state_by_value {
             type Shape = ();
             type Pool = ();
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn dimension(&self) -> usize {
                 <Self as $crate::Vector>::DIM
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn shape(&self) {}
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn zeros_of((): &()) -> Self {
                 <Self as $crate::Vector>::zero()
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn take((): &mut (), _: &Self) -> Self {
                 <Self as $crate::Vector>::zero()
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn give(self, (): &mut ()) {}
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn assign(&mut self, x: &Self) {
                 *self = *x;
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn move_from(&mut self, other: &mut Self) {
                 *self = *other;
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn entry(&self, i: usize) -> $scalar {
                 $crate::Vector::coordinate(self, i)
             }
 
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn set_entry(&mut self, i: usize, x: $scalar) {
                 *self = $crate::Vector::from_coordinates(
-                    #[inline(always)]
+                    #[cfg_attr(optimised, inline(always))]
                     |j| if i == j { x } else { $crate::Vector::coordinate(self, j) },
                 );
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn set_entries(&mut self, f: impl Fn(usize) -> $scalar) {
                 *self = $crate::Vector::from_coordinates(f);
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn block_of(&self, i: usize) -> usize {
                 <Self as $crate::Vector>::block(i)
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn set_zero(&mut self) {
                 *self = $crate::Vector::zero();
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn add_in_place(&mut self, x: &Self) {
                 *self += *x;
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn subtract_in_place(&mut self, x: &Self) {
                 *self -= *x;
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn subtract_from(&mut self, x: &Self) {
                 *self = *x - *self;
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn scale_in_place(&mut self, s: $scalar) {
                 *self = $crate::Vector::scaled(self, s);
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn add_multiple(&mut self, s: $scalar, x: &Self) {
                 $crate::Vector::add_scaled(self, s, x);
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn replace_where(&mut self, mask: <$scalar as $crate::Real>::Mask, x: &Self) {
                 *self = $crate::Vector::select(mask, x, self);
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn measure(&self, largest: &mut $blocks, sum: &mut $scalar) {
                 for i in 0..<Self as $crate::Vector>::DIM {
                     let block = <Self as $crate::Vector>::block(i);
@@ -292,12 +292,12 @@ macro_rules! state_by_value {
                 }
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn measure_difference(&self, x: &Self, largest: &mut $blocks, sum: &mut $scalar) {
                 $crate::State::measure(&(*self - *x), largest, sum);
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn all_finite(&self) -> bool {
                 $crate::Vector::is_finite(self)
             }

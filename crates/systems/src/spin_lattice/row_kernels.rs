@@ -15,14 +15,14 @@ pub(crate) struct Progress<T> {
 
 impl<T: Lanes> Progress<T> {
     /// Returns the progress before any rate is included.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn zero() -> Self {
         let zero = T::from_f64(0.0);
         Self { change: zero, size: zero, sum: zero }
     }
 
     /// Includes a component of rates and its value before.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn include(&mut self, rate: T, before: T) {
         let change = (rate - before).magnitude();
         self.change = change.maximum(self.change);
@@ -31,7 +31,7 @@ impl<T: Lanes> Progress<T> {
     }
 
     /// Returns the largest change and the largest size over all lanes, or NaN.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn largest(self) -> [f64; 2] {
         let sum = self.sum.max_abs();
         if sum.is_nan() { [sum; 2] } else { [self.change.max_abs(), self.size.max_abs()] }
@@ -39,7 +39,7 @@ impl<T: Lanes> Progress<T> {
 }
 
 /// Computes the midpoints m = |w| u/|u|, u = w + (h/2) k, of a row.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn middles<T: Lanes>(w: &[Spins], k: &[Spins], half_step: f64, m: &mut [Spins]) {
     let half_step = T::from_f64(half_step);
     for ((Spins(w), Spins(k)), Spins(m)) in w.iter().zip(k).zip(m) {
@@ -56,7 +56,7 @@ pub(crate) fn middles<T: Lanes>(w: &[Spins], k: &[Spins], half_step: f64, m: &mu
     }
 }
 
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn square<T: Lanes>(v: &[T; 3]) -> T {
     v[0].multiply_add(v[0], v[1].multiply_add(v[1], v[2] * v[2]))
 }
@@ -82,7 +82,7 @@ pub(crate) struct Row<'a> {
 }
 
 /// Writes the rates m × H of a row. They are zero in the padding.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn rates<T: Lanes>(
     stencil: &Stencil,
     row: Row<'_>,
@@ -113,7 +113,7 @@ pub(crate) fn rates<T: Lanes>(
 
 /// Returns B and the exchange terms Σ J (a + b) of the field H of the spins from lane `i` of a block on, for the spins
 /// a and b at both ends of each bond.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn exchange<T: Lanes>(
     stencil: &Stencil,
     midpoints: &[Spins],
@@ -135,7 +135,7 @@ fn exchange<T: Lanes>(
 }
 
 /// Replaces rates by zero where the mask is zero instead of one.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn clear_padding<T: Lanes>(mask: &T, rates: &mut [T; 3]) {
     // A product would keep a NaN that an earlier step has left beyond the row.
     let (inside, zero) = (T::from_f64(1.0).at_most(*mask), T::from_f64(0.0));
@@ -145,7 +145,7 @@ fn clear_padding<T: Lanes>(mask: &T, rates: &mut [T; 3]) {
 }
 
 /// Returns a × b.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn cross<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     [
         a[1].multiply_subtract(b[2], a[2] * b[1]),
@@ -155,7 +155,7 @@ fn cross<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
 }
 
 /// Adds 2K (a·m) a to the field.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn add_anisotropy<T: Lanes>(stencil: &Stencil, m: &[T; 3], field: &mut [T; 3]) {
     let a = stencil.axis;
     let a = [T::from_f64(a.x), T::from_f64(a.y), T::from_f64(a.z)];

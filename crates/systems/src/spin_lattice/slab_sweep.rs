@@ -62,7 +62,7 @@ impl Slab {
     }
 
     /// Finds the ends of the bonds of a plane that is kept in the given place.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn find_ends(&mut self, stencil: &Stencil, place: usize) {
         let width = stencil.continued() as isize;
         let plane = width * (self.rows + 2 * stencil.reach[1]) as isize;
@@ -81,7 +81,7 @@ impl Slab {
 impl LaneTask for SlabSweep<'_> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn run<T: Lanes>(mut self) {
         let Stencil { counts: [_, rows, planes], reach: [_, _, reach], .. } = *self.stencil;
         let window = self.stencil.window();
@@ -103,7 +103,7 @@ impl LaneTask for SlabSweep<'_> {
 
 impl SlabSweep<'_> {
     /// Computes the midpoints of some rows of a plane, and of the rows beside that bonds reach.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn midpoints<T: Lanes>(&mut self, part: &Range<usize>, plane: usize, place: usize) {
         let Stencil { counts: [_, rows, _], reach: [margin, reach, _], .. } = *self.stencil;
         let (width, blocks) = (self.stencil.continued(), self.stencil.blocks());
@@ -119,7 +119,7 @@ impl SlabSweep<'_> {
     }
 
     /// Computes the rates of some rows of a plane.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn rates<T: Lanes>(&mut self, part: &Range<usize>, plane: usize, progress: &mut Progress<T>) {
         let stencil = self.stencil;
         let Stencil { counts: [_, rows, _], reach: [margin, reach, ahead], .. } = *stencil;
@@ -143,7 +143,7 @@ impl SlabSweep<'_> {
 }
 
 /// Continues the midpoints of a row periodically at both ends.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn continue_row(m: &mut [Spins], reach: usize, repeated: &[[Place; 2]]) {
     let blocks = m.len() - 2 * reach;
     for i in 0..reach {
@@ -163,7 +163,7 @@ fn continue_row(m: &mut [Spins], reach: usize, repeated: &[[Place; 2]]) {
 }
 
 /// Returns (i + offset) mod count, for i < count and an offset of smaller size. It is faster than a division.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn wrapped(i: usize, offset: isize, count: usize) -> usize {
     let moved = i.wrapping_add_signed(offset);
     if offset < 0 && i < offset.unsigned_abs() {
@@ -176,7 +176,7 @@ fn wrapped(i: usize, offset: isize, count: usize) -> usize {
 }
 
 /// Returns the blocks of a row.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn row_of(all: &[Spins], row: usize, blocks: usize) -> &[Spins] {
     all.get(row * blocks..(row + 1) * blocks).unwrap_or_default()
 }

@@ -21,7 +21,7 @@ pub(crate) struct Interaction<'a, R> {
 impl<R: Real> LaneTask for Interaction<'_, R> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn run<T: Lanes>(self) {
         let mut first = self.first;
         for sums in self.sums.chunks_mut(T::COUNT) {
@@ -37,7 +37,7 @@ impl<R: Real> LaneTask for Interaction<'_, R> {
 }
 
 /// Returns the sums of the vortices in the lanes, of which `first` is the first.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn sums_of<T: Lanes>(sources: &Sources, first: usize) -> [T; 3] {
     let rows = sources.rows();
     let start = first - first % BLOCK;
@@ -52,7 +52,7 @@ fn sums_of<T: Lanes>(sources: &Sources, first: usize) -> [T; 3] {
 }
 
 /// Adds the terms of vortices that are in none of the lanes.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn add_others<T: Lanes>(x: &[T; 3], rows: &[[f64; 6]], sum: &mut [T; 3]) {
     for row in rows {
         add(T::from_f64(1.0) / distance(x, row), row, sum);
@@ -61,7 +61,7 @@ fn add_others<T: Lanes>(x: &[T; 3], rows: &[[f64; 6]], sum: &mut [T; 3]) {
 
 /// Adds the terms of the vortices in one block, except that of each vortex with itself. The lanes begin with the given
 /// vortex of the block.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn add_neighbours<T: Lanes>(x: &[T; 3], rows: &[[f64; 6]], first: usize, sum: &mut [T; 3]) {
     // An infinite distance from itself makes that term zero.
     let mut infinite = [0.0; 3 * BLOCK];
@@ -73,7 +73,7 @@ fn add_neighbours<T: Lanes>(x: &[T; 3], rows: &[[f64; 6]], first: usize, sum: &m
 }
 
 /// Returns 1 − x_i·x_j, half the square of the distance of two points of the unit sphere.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn distance<T: Lanes>(x: &[T; 3], row: &[f64; 6]) -> T {
     let mut rest = T::from_f64(1.0);
     for component in 0..3 {
@@ -83,7 +83,7 @@ fn distance<T: Lanes>(x: &[T; 3], row: &[f64; 6]) -> T {
 }
 
 /// Adds a multiple of m_j.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn add<T: Lanes>(factor: T, row: &[f64; 6], sum: &mut [T; 3]) {
     for component in 0..3 {
         let moment = T::from_f64(row[3 + component]);

@@ -32,20 +32,20 @@ impl Sources {
     }
 
     /// Returns the positions of consecutive vortices from the given one on, one in each lane.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn positions<T: Lanes>(&self, first: usize) -> [T; 3] {
         let [x, y, z] = &self.columns;
         [from(x, first), from(y, first), from(z, first)]
     }
 
     /// Returns each position, followed by the moment.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn rows(&self) -> &[[f64; 6]] {
         &self.rows
     }
 }
 
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn from<T: Lanes>(column: &[f64], first: usize) -> T {
     T::load(column.get(first..).unwrap_or_default())
 }

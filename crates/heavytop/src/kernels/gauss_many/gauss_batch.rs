@@ -135,7 +135,7 @@ struct ScaledGauss<'a, const S: usize> {
 impl<const S: usize> LaneKernel for ScaledGauss<'_, S> {
     type Member = (HeavyTop, Se3Dual);
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn together<T: Lanes>(
         &self,
         group: &mut [(HeavyTop, Se3Dual)],

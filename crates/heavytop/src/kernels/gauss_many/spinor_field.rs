@@ -18,7 +18,7 @@ pub(crate) struct FieldParameters<T> {
 
 impl<T: Lanes> FieldParameters<T> {
     /// Gathers the parameters of the tops: lane i is f(i).
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn from_lanes<'a>(f: impl Fn(usize) -> &'a HeavyTop) -> Self {
         let quarter = |k: usize| T::from_lanes(|i| 0.25 * f(i).inverse_inertia()[k]);
         let force =
@@ -30,7 +30,7 @@ impl<T: Lanes> FieldParameters<T> {
     }
 
     /// Returns half the angular velocity ½Ω = ½I⁻¹Π(z).
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn half_velocity(&self, z: &Spinors<T>) -> [T; 3] {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
         let four = |a: T, b: T, c: T, d: T, e: T, f: T, g: T, h: T| {
@@ -47,7 +47,7 @@ impl<T: Lanes> FieldParameters<T> {
     }
 
     /// Returns the field dχ/dt = (i/2)(Ω·σ)χ + 2(γ·σ)ψ, dψ/dt = (i/2)(Ω·σ)ψ for v = ½Ω.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn field(&self, v: &[T; 3], z: &Spinors<T>) -> Spinors<T> {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
         let f = &self.force;
@@ -70,21 +70,21 @@ impl<T: Lanes> FieldParameters<T> {
 }
 
 /// Returns the squared norm ‖ψ‖².
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn square<T: Lanes>(z: &Spinors<T>) -> T {
     let [.., a, b, c, d] = *z;
     a.multiply_add(a, b * b) + c.multiply_add(c, d * d)
 }
 
 /// Returns the real overlap Re ψ∗χ.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn real_overlap<T: Lanes>(z: &Spinors<T>) -> T {
     let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
     p1.multiply_add(q1, p2 * q2) + p3.multiply_add(q3, p4 * q4)
 }
 
 /// Returns the imaginary overlap Im ψ∗χ.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn imaginary_overlap<T: Lanes>(z: &Spinors<T>) -> T {
     let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
     p1.multiply_subtract(q2, p2 * q1) + p3.multiply_subtract(q4, p4 * q3)

@@ -57,7 +57,7 @@ pub(crate) struct SpinorLanes<T: Lanes, const S: usize> {
 
 impl<T: Lanes, const S: usize> SpinorLanes<T, S> {
     /// Creates the minimal lifts of the states f(i). A lane without a lift is not alive.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn lift<'a>(f: impl Fn(usize) -> &'a Se3Dual) -> Self {
         let mut lifted = [[f64::NAN; 8]; MOST_LANES];
         for (i, lane) in lifted.iter_mut().enumerate().take(T::COUNT) {
@@ -88,7 +88,7 @@ impl<T: Lanes, const S: usize> SpinorLanes<T, S> {
     }
 
     /// Advances by one step, with coefficients times the step. A lane without a result is no longer alive.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn step(
         &mut self,
         top: &FieldParameters<T>,
@@ -122,7 +122,7 @@ impl<T: Lanes, const S: usize> SpinorLanes<T, S> {
     }
 
     /// Extrapolates the first stages of a step from the derivatives of the last one, all at once.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn guess(
         &mut self,
         top: &FieldParameters<T>,
@@ -140,7 +140,7 @@ impl<T: Lanes, const S: usize> SpinorLanes<T, S> {
     /// Computes each stage from the newest derivatives of the others, and returns the squared change of ½Ω.
     ///
     /// Frozen lanes keep their stages.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn sweep(
         &mut self,
         top: &FieldParameters<T>,
@@ -173,7 +173,7 @@ impl<T: Lanes, const S: usize> SpinorLanes<T, S> {
     /// Ends the step, slides it along the fibre to the least ‖χ‖, and restores ‖ψ‖² and Im ψ∗χ.
     ///
     /// The derivatives slide with it.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn finish(&mut self, coefficients: &ExtendedTableau<S>) {
         let mut z = combine(&self.z, &coefficients.b, &self.k);
         let excess = (self.square - square(&z)) * self.inverse_square * 0.5;
@@ -197,7 +197,7 @@ impl<T: Lanes, const S: usize> SpinorLanes<T, S> {
 }
 
 /// Returns the sum z + Σ_j w_j k_j.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn combine<T: Lanes, const S: usize>(
     z: &Spinors<T>,
     weights: &[f64; S],

@@ -31,7 +31,7 @@ impl CompensatedPoint {
     /// Returns whether both are the same; NaN is not.
     ///
     /// Without branches, this is one comparison of registers.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn is(&self, other: &Self) -> bool {
         let mut same = true;
         for c in 0..WIDTH {
@@ -41,7 +41,7 @@ impl CompensatedPoint {
         same
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn is_finite(&self) -> bool {
         let mut finite = true;
         for c in 0..WIDTH {
@@ -51,7 +51,7 @@ impl CompensatedPoint {
     }
 
     /// Returns z + Σ_j ℓ_j, by compensated summation.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn plus_sum(&self, stages: &Stages) -> Self {
         // The numbers are read from memory, as in the loops of the solver.
         let stages = black_box(stages);
@@ -66,28 +66,28 @@ impl CompensatedPoint {
     }
 
     /// Returns the overlap Re(ψ∗χ).
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn overlap(&self) -> f64 {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = self.z.0;
         (q1 * p1 + q2 * p2) + (q3 * p3 + q4 * p4)
     }
 
     /// Returns the squared norm ‖ψ‖².
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn square(&self) -> f64 {
         let [.., p1, p2, p3, p4] = self.z.0;
         (p1 * p1 + p2 * p2) + (p3 * p3 + p4 * p4)
     }
 
     /// Returns the squared norm ‖χ‖².
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn chi_square(&self) -> f64 {
         let [q1, q2, q3, q4, ..] = self.z.0;
         (q1 * q1 + q2 * q2) + (q3 * q3 + q4 * q4)
     }
 
     /// Returns ‖χ‖‖ψ‖, the size of the products of which Π is the sum.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn products(&self) -> f64 {
         self.chi_square().sqrt() * self.square().sqrt()
     }
@@ -96,7 +96,7 @@ impl CompensatedPoint {
     ///
     /// Here √r is the Π that the torque produces in the time in which it turns the top. Without it, a top
     /// that sometimes comes to rest would slide at every step.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn has_drifted(&self, reach: f64) -> bool {
         let overlap = self.overlap();
         2.0 * overlap * overlap > (self.chi_square() + reach) * self.square()

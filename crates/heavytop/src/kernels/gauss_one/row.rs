@@ -17,13 +17,13 @@ impl Row {
     pub(super) const ZERO: Self = Self([0.0; WIDTH]);
 
     /// Loads the block-th register of the row.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn load<T: Lanes>(&self, block: usize) -> T {
         T::load(&self.0[block * T::COUNT..])
     }
 
     /// Stores the block-th register of the row.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn store<T: Lanes>(&mut self, x: T, block: usize) {
         x.store(&mut self.0[block * T::COUNT..]);
     }

@@ -43,7 +43,7 @@ pub(super) struct Attempt<'a, const S: usize> {
 impl<const S: usize> LaneTask for Attempt<'_, S> {
     type Output = Option<(CompensatedPoint, usize)>;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn run<T: Lanes>(self) -> Option<(CompensatedPoint, usize)> {
         let Self { coefficients, step, start, history } = self;
         let expected = history.recall(start, step);
@@ -72,7 +72,7 @@ impl StageEquations<'_> {
     ///
     /// The first sweep starts from an extrapolation of the last step. Convergence is tested from the sweep
     /// before number `expected` on.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn solve<T: Lanes, const S: usize>(
         self,
         last: &Stages,
@@ -120,7 +120,7 @@ impl StageEquations<'_> {
     }
 
     /// Returns the stage points Z_i = z + Σ_j m_ij ℓ_j, adding small numbers first.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn stage_points<T: Lanes, const S: usize>(
         self,
         m: &[Row; WIDTH],
@@ -144,7 +144,7 @@ impl StageEquations<'_> {
     }
 
     /// Returns the weighted half velocity (h b/2) Ω = (h b/2) I⁻¹Π, with Π = M(Z).
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn turn<T: Lanes>(self, z: &[T; WIDTH], block: usize) -> [T; 3] {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
         let [a, b, c] = self.times_step::<T>(&self.coefficients.turn, block);
@@ -155,7 +155,7 @@ impl StageEquations<'_> {
     }
 
     /// Returns the stage derivative ℓ = h b ((i/2)(Ω·σ)χ + 2(γ·σ)ψ, (i/2)(Ω·σ)ψ).
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn generator<T: Lanes>(self, turn: &[T; 3], z: &[T; WIDTH], block: usize) -> [T; WIDTH] {
         let [q1, q2, q3, q4, p1, p2, p3, p4] = *z;
         let [g1, g2, g3] = self.times_step::<T>(&self.coefficients.pull, block);
@@ -172,21 +172,21 @@ impl StageEquations<'_> {
 
     /// Returns the size of (h b/2) Ω, or that of the products ‖χ‖‖ψ‖ where Π, a difference of them, is
     /// smaller.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn size<T: Lanes>(self, turn: &[T; 3], block: usize) -> T {
         let [a, b, c] = self.times_step::<T>(&self.coefficients.turn, block);
         let least = (a + b + c).magnitude() * T::from_f64(self.products);
         least + turn[0].magnitude() + turn[1].magnitude() + turn[2].magnitude()
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn times_step<T: Lanes>(self, rows: &[Row; 3], block: usize) -> [T; 3] {
         let (h, [a, b, c]) = (T::from_f64(self.step), rows);
         [a.load::<T>(block) * h, b.load::<T>(block) * h, c.load::<T>(block) * h]
     }
 }
 
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn store<T: Lanes>(values: &[T; WIDTH], stages: &mut Stages, block: usize) {
     for c in 0..WIDTH {
         stages[c].store(values[c], block);
@@ -194,14 +194,14 @@ fn store<T: Lanes>(values: &[T; WIDTH], stages: &mut Stages, block: usize) {
 }
 
 /// Returns the distance Σ_k |a_k − b_k|.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn distance<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
     (a[0] - b[0]).magnitude() + (a[1] - b[1]).magnitude() + (a[2] - b[2]).magnitude()
 }
 
 /// Returns where a change is round-off, lane by lane. The masks say whether it, and the change before it, were not
 /// smaller than their predecessors.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn is_round_off<T: Lanes>(change: T, size: T, grows: T::Mask, grew: T::Mask) -> T::Mask {
     let [few, close, floor] = [FEW_ROUNDINGS, CLOSE, ROUND_OFF].map(T::from_f64);
     change.at_most(size * T::select(grows, T::select(grew, floor, close), few))

@@ -35,7 +35,7 @@ impl StageHistory {
     }
 
     /// Returns the stages of the last step, and the storage for those of the next one.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn stages(&mut self) -> (&mut Stages, &mut Stages) {
         let Self { first, second, .. } = self;
         if self.last_is_first { (first, second) } else { (second, first) }
@@ -45,7 +45,7 @@ impl StageHistory {
     ///
     /// Otherwise it returns 0 and sets the stages of the last step to 0: the first guess is then z at every
     /// stage.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn recall(&mut self, start: &CompensatedPoint, step: f64) -> usize {
         if self.sweeps == 0 || self.step != step || !self.end.is(start) {
             self.sweeps = 0;
@@ -57,7 +57,7 @@ impl StageHistory {
     /// Records the stages that were found as those of the last step.
     ///
     /// The step ended with χ + bψ, b = `slid`; the stages slide with it.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn keep(&mut self, end: &CompensatedPoint, step: f64, sweeps: usize, slid: f64) {
         (self.end, self.step, self.sweeps) = (*end, step, sweeps);
         self.last_is_first = !self.last_is_first;

@@ -8,14 +8,14 @@ use nalgebra::Vector3;
 pub(super) type Velocity<T> = Pair<Vector3<T>, Vector3<T>>;
 
 /// Returns the rotated vector R_a v, for n = 1/(1+|a|²).
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn half_turn<T: Real>(a: &Vector3<T>, n: T, v: &Vector3<T>) -> Vector3<T> {
     let turned = cross(v, a);
     v + (turned + cross(&turned, a)) * (n + n)
 }
 
 /// Returns the unit quaternion of the rotation R_a R_a of the step.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn whole_turn<T: Real>(a: &Vector3<T>) -> Quaternion<T> {
     // R_a is the rotation by the quaternion 1 − a.
     let half = Quaternion { scalar: T::one(), vector: -a };
@@ -23,20 +23,20 @@ pub(super) fn whole_turn<T: Real>(a: &Vector3<T>) -> Quaternion<T> {
 }
 
 /// Returns a from the unit quaternion (1 − |a|² − 2a)/(1 + |a|²) of R_a R_a.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn half_angle<T: Real>(turn: &Quaternion<T>) -> Vector3<T> {
     turn.vector * (-T::one() / (turn.scalar + 1.0))
 }
 
 /// Returns the half angle a = (h/4) Ωₘ and the factor n = 1/(1+|a|²).
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 fn angle<T: Real>(omega: &Vector3<T>, step: f64) -> (Vector3<T>, T) {
     let a = omega * T::from_f64(0.25 * step);
     (a, T::one() / (dot(&a, &a) + 1.0))
 }
 
 /// Returns the midpoint (Πₘ, Γₘ) of the step.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn middle<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: f64) -> Se3Dual<T> {
     let (Covector(Pair(pi, gamma)), Pair(omega, force)) = (start, velocity);
     let (a, n) = angle(omega, step);
@@ -47,7 +47,7 @@ pub(super) fn middle<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: 
 }
 
 /// Returns the end (Π₁, Γ₁) of the step.
-#[cfg_attr(not(debug_assertions), inline(always))]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn end<T: Real>(start: &Se3Dual<T>, velocity: &Velocity<T>, step: f64) -> Se3Dual<T> {
     let (Covector(Pair(pi, gamma)), Pair(omega, force)) = (start, velocity);
     let (a, n) = angle(omega, step);

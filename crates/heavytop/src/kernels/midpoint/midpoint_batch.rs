@@ -56,7 +56,7 @@ impl BatchIntegrator for TopMidpoint {
 impl LaneKernel for TopMidpoint {
     type Member = Se3Dual;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn together<T: Lanes>(&self, group: &mut [Se3Dual], step: f64, count: u64) -> LaneResults {
         let top = *self.top();
         together::<T, _>(|_| top, group, step, count)
@@ -148,7 +148,7 @@ impl BatchIntegrator for MidpointBatch {
 impl LaneKernel for MidpointBatch {
     type Member = (HeavyTop, Se3Dual);
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn together<T: Lanes>(
         &self,
         group: &mut [(HeavyTop, Se3Dual)],

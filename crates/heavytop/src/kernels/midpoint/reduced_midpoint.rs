@@ -82,7 +82,7 @@ impl<H> ReducedMidpoint<H> {
     }
 
     /// Advances by one step, and returns a = (h/4) Ωₘ with the end.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step_and_angle<T: Real>(
         &self,
         mu: &Se3Dual<T>,
@@ -100,7 +100,7 @@ impl<H> ReducedMidpoint<H> {
             step,
             &mut velocity,
             first,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |_, velocity: &[Velocity<T>]| {
                 self.hamiltonian().differential(&middle(mu, &velocity[0], step))
             },
@@ -165,7 +165,7 @@ where
         ReducedMidpointSpace { velocities, newton: Integrator::<T>::workspace(&self.lift_free) }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step(
         &self,
         mu: &Se3Dual<T>,
@@ -175,12 +175,12 @@ where
         self.step_and_angle(mu, step, workspace).map(|(next, _)| next)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn forget(&self, workspace: &mut Self::Workspace) {
         workspace.velocities.forget();
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn momentum(&self, mu: &Se3Dual<T>) -> Se3Dual<T> {
         *mu
     }
@@ -192,7 +192,7 @@ where
     H: Hamiltonian<HeavyTopSpace, T>,
     T: Real,
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn turn(
         &self,
         mu: &Se3Dual<T>,

@@ -39,7 +39,7 @@ impl AxialTurn<f64> {
 
 impl<T: Lanes> AxialTurn<T> {
     /// Gathers turns into lanes: lane i is f(i).
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn from_lanes<'a>(f: impl Fn(usize) -> &'a AxialTurn<f64>) -> Self {
         Self {
             half_tangent: T::from_lanes(|i| f(i).half_tangent),
@@ -48,7 +48,7 @@ impl<T: Lanes> AxialTurn<T> {
     }
 
     /// Returns v turned backwards: its components in the turned axes.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn undo(&self, [x, y, z]: [T; 3]) -> [T; 3] {
         let x = self.half_tangent.multiply_add(y, x);
         let y = self.sine.negative_multiply_add(x, y);
@@ -56,7 +56,7 @@ impl<T: Lanes> AxialTurn<T> {
     }
 
     /// Returns v turned: the vector with these components in the turned axes.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn apply(&self, [x, y, z]: [T; 3]) -> [T; 3] {
         let x = self.half_tangent.negative_multiply_add(y, x);
         let y = self.sine.multiply_add(x, y);

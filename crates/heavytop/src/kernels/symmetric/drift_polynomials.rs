@@ -64,7 +64,7 @@ impl DriftPolynomials {
     }
 
     /// Returns the sine and the versine at c²x, and (c c₁, c tan(θ/2)/θ) at θ² = c²y.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn at<T: Lanes>(&self, x: T, y: T) -> (DriftValues<T>, (T, T)) {
         match self.terms {
             4 => self.with_terms::<T, 4, 5>(x, y),
@@ -75,7 +75,7 @@ impl DriftPolynomials {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn with_terms<T: Lanes, const TERMS: usize, const HALF: usize>(
         &self,
         x: T,
@@ -108,7 +108,7 @@ fn versine(sine: &[f64], defect: &[f64]) -> ([f64; MOST_TERMS], [f64; 2]) {
 }
 
 /// Evaluates a polynomial by Horner's rule.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn polynomial<T: Lanes>(coefficients: &[f64], x: T) -> T {
     let [lower @ .., highest] = coefficients else { return T::from_f64(0.0) };
     let mut sum = T::from_f64(*highest);

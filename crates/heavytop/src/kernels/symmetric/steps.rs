@@ -44,7 +44,7 @@ pub(crate) struct FlowParameters<T> {
 
 impl<T: Lanes> MomentumLanes<T> {
     /// Gathers the states of the tops: lane i is f(i).
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn from_lanes<'a>(
         top: &FlowParameters<T>,
         f: impl Fn(usize) -> &'a Se3Dual,
@@ -63,7 +63,7 @@ impl<T: Lanes> MomentumLanes<T> {
     }
 
     /// Returns a function that reads the state in each lane.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn momenta(&self, top: &FlowParameters<T>) -> impl Fn(usize) -> Se3Dual {
         let (w, gamma) = (top.axes.apply(self.w), top.axes.apply(self.gamma));
         let pi = w.map(|w| w / top.scale);
@@ -72,7 +72,7 @@ impl<T: Lanes> MomentumLanes<T> {
     }
 
     /// Advances by the kick φ_2^ch: w ← w + c Γ×f.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn kick(&mut self, top: &FlowParameters<T>, c: f64) {
         let [first, third] = top.force.map(|f| f * c);
         let g = self.gamma;
@@ -93,7 +93,7 @@ impl<T: Lanes> MomentumLanes<T> {
     ///
     /// This is Rodrigues' formula with v for w·Γ. A rounding error of w·Γ does not persist, since each flow
     /// moves w·Γ towards v by the factor of the cosine.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn drift(&mut self, top: &FlowParameters<T>, drift: &DriftPolynomials) {
         let (w, g) = (self.w, self.gamma);
         let transverse = cross(&w, &g);
@@ -118,7 +118,7 @@ impl<T: Lanes> MomentumLanes<T> {
 
 impl<T: Lanes> FlowParameters<T> {
     /// Gathers the parameters of the tops: lane i is f(i).
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn from_lanes<'a>(
         step: f64,
         f: impl Fn(usize) -> &'a SymmetricTopSplitting,
@@ -150,7 +150,7 @@ impl<T: Lanes> FlowParameters<T> {
     /// ```text
     /// |w|² ≤ 2(e + |f||Γ|)/min(1, 1 + δ),  w₃² ≤ 2(e + |f||Γ|)/(1 + δ)
     /// ```
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn bound(&self, motion: &MomentumLanes<T>) -> T {
         let one = T::from_f64(1.0);
         let f = [self.force[0], T::from_f64(0.0), self.force[1]];
@@ -163,7 +163,7 @@ impl<T: Lanes> FlowParameters<T> {
 }
 
 /// Returns a² with what former squares have `lost` by rounding, and updates that sum of rounding errors.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn square<T: Lanes>(a: T, lost: &mut T) -> T {
     if T::FUSED {
         let square = a.multiply_add(a, *lost);
@@ -182,12 +182,12 @@ fn square<T: Lanes>(a: T, lost: &mut T) -> T {
     square
 }
 
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn dot<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
     a[0].multiply_add(b[0], a[1].multiply_add(b[1], a[2] * b[2]))
 }
 
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn cross<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     [
         a[1].multiply_subtract(b[2], a[2] * b[1]),

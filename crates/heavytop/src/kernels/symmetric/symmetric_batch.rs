@@ -116,7 +116,7 @@ impl BatchIntegrator for SymmetricTopBatch {
 impl LaneKernel for SymmetricTopBatch {
     type Member = (SymmetricTopSplitting, Se3Dual);
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn together<T: Lanes>(
         &self,
         group: &mut [(SymmetricTopSplitting, Se3Dual)],
@@ -172,7 +172,7 @@ fn is_in_range((top, Covector(Pair(pi, _))): &(SymmetricTopSplitting, Se3Dual), 
 }
 
 /// Advances a group by n steps.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn advance<T: Lanes>(
     motion: &mut MomentumLanes<T>,
     top: &FlowParameters<T>,

@@ -45,7 +45,7 @@ pub trait FieldInLanes: Increments<f64> {
 }
 
 impl<S: Scheme, F: LaneField> FieldInLanes for Direct<S, F> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step_in_lanes(
         &self,
         instructions: InstructionSet,
@@ -57,7 +57,7 @@ impl<S: Scheme, F: LaneField> FieldInLanes for Direct<S, F> {
         self.scheme().step::<f64, _>(&field, state, step, workspace)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn increment_in_lanes(
         &self,
         instructions: InstructionSet,
@@ -77,7 +77,7 @@ where
     H: Hamiltonian<M::Target>,
     CollectiveHamiltonian<M, H>: LaneField<Point = Self::State>,
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step_in_lanes(
         &self,
         instructions: InstructionSet,
@@ -89,7 +89,7 @@ where
         self.step_of::<f64, _>(&field, state, step, workspace)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn increment_in_lanes(
         &self,
         instructions: InstructionSet,
@@ -109,7 +109,7 @@ where
     H: Hamiltonian<M::Space>,
     for<'a> AnyScalar<'a, M, H>: LaneField<Point = Multiplier<M, f64>>,
 {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step_in_lanes(
         &self,
         instructions: InstructionSet,
@@ -120,7 +120,7 @@ where
         let motion = self.motion_by::<f64>(
             mu,
             workspace,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |field, one, storage| {
                 let field = InLanes { field, lanes: &AnyScalar(field), instructions };
                 self.advance::<f64, _>(&field, one, step, storage)
@@ -129,7 +129,7 @@ where
         Ok(motion.end(mu)?.0)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn increment_in_lanes(
         &self,
         instructions: InstructionSet,
@@ -140,7 +140,7 @@ where
         let motion = self.motion_by::<f64>(
             mu,
             workspace,
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             |field, one, storage| {
                 let field = InLanes { field, lanes: &AnyScalar(field), instructions };
                 self.refined_advance::<f64, _>(&field, one, step, storage)

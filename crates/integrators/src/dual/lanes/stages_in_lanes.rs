@@ -1,7 +1,7 @@
 //! Integrators that compute the stages of a step side by side: [`StagesInLanes`].
 
+use crate::dual::lanes::fastest_set::FastestSet;
 use crate::dual::lanes::field_in_lanes::FieldInLanes;
-use crate::fastest_set::FastestSet;
 use crate::{Compensated, Increment, Increments, Integrator, Start, Step, StepError};
 use lie_poisson::{InstructionSet, MissingInstructions, Pair, State};
 use momentum_map::LiftError;
@@ -106,7 +106,7 @@ impl<I: FieldInLanes> StagesInLanes<I> {
     }
 
     /// Returns the instruction set of a step from a state. The first step of a motion measures it.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn instructions_from(&self, state: &I::State, step: f64) -> InstructionSet {
         self.instructions.find(
             || StepError::check_start(state, step).is_ok(),
@@ -135,7 +135,7 @@ impl<I: FieldInLanes> Integrator for StagesInLanes<I> {
         self.integrator.workspace()
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn step(
         &self,
         state: &Self::State,
@@ -146,7 +146,7 @@ impl<I: FieldInLanes> Integrator for StagesInLanes<I> {
         self.integrator.step_in_lanes(instructions, state, step, workspace)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.integrator.forget(workspace);
     }
@@ -155,14 +155,14 @@ impl<I: FieldInLanes> Integrator for StagesInLanes<I> {
         self.integrator.pin(workspace);
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn momentum(&self, state: &Self::State) -> Self::Momentum {
         self.integrator.momentum(state)
     }
 }
 
 impl<I: FieldInLanes> Increments for StagesInLanes<I> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn increment(
         &self,
         state: &Pair<Self::State, Self::State>,
@@ -173,7 +173,7 @@ impl<I: FieldInLanes> Increments for StagesInLanes<I> {
         self.integrator.increment_in_lanes(instructions, state, step, workspace)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn temporaries<'a>(
         &self,
         workspace: &'a mut Self::Workspace,
@@ -181,7 +181,7 @@ impl<I: FieldInLanes> Increments for StagesInLanes<I> {
         self.integrator.temporaries(workspace)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn gauged(
         &self,
         state: Pair<Self::State, Self::State>,

@@ -45,19 +45,19 @@ register! {
             negative_multiply_add(a, b, c) = _mm256_fnmadd_pd;
         }
 
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn magnitude(a: Self) -> Self {
             // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
             Self(unsafe { _mm256_andnot_pd(Self::splat(-0.0).0, a.0) })
         }
 
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn at_most(a: Self, b: Self) -> Avx2Mask {
             // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
             Avx2Mask(unsafe { _mm256_cmp_pd::<_CMP_LE_OQ>(a.0, b.0) })
         }
 
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn select(mask: Avx2Mask, yes: Self, no: Self) -> Self {
             // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
             Self(unsafe { _mm256_blendv_pd(no.0, yes.0, mask.0) })
@@ -71,31 +71,31 @@ mask_of_bits! {
 }
 
 impl Permuted for Avx2 {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn next(a: Self) -> Self {
         // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
         Self(unsafe { _mm256_permute4x64_pd::<0b11_00_10_01>(a.0) })
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn previous(a: Self) -> Self {
         // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
         Self(unsafe { _mm256_permute4x64_pd::<0b11_01_00_10>(a.0) })
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn first(a: Self) -> Self {
         // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
         Self(unsafe { _mm256_broadcastsd_pd(_mm256_castpd256_pd128(a.0)) })
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn neighbours(a: Self) -> Self {
         // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
         Self(unsafe { _mm256_permute_pd::<0b0101>(a.0) })
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn halves(a: Self) -> Self {
         // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
         Self(unsafe { _mm256_permute2f128_pd::<1>(a.0, a.0) })

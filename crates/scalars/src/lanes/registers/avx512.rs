@@ -42,13 +42,13 @@ register! {
             negative_multiply_add(a, b, c) = _mm512_fnmadd_pd;
         }
 
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn at_most(a: Self, b: Self) -> Avx512Mask {
             // SAFETY: the processor has AVX-512 where the type is in use, see `Avx512`.
             Avx512Mask(unsafe { _mm512_cmp_pd_mask::<_CMP_LE_OQ>(a.0, b.0) })
         }
 
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn select(mask: Avx512Mask, yes: Self, no: Self) -> Self {
             // SAFETY: the processor has AVX-512 where the type is in use, see `Avx512`.
             Self(unsafe { _mm512_mask_blend_pd(mask.0, no.0, yes.0) })
@@ -59,32 +59,32 @@ register! {
 impl Mask for Avx512Mask {
     const COUNT: usize = 8;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn from_bool(truth: bool) -> Self {
         Self(if truth { u8::MAX } else { 0 })
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn and(self, other: Self) -> Self {
         Self(self.0 & other.0)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn or(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn not(self) -> Self {
         Self(!self.0)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn all(self) -> bool {
         self.0 == u8::MAX
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn lane(self, i: usize) -> bool {
         i < Self::COUNT && self.0 >> i & 1 == 1
     }

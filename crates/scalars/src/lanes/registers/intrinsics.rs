@@ -6,7 +6,7 @@
 /// Defines functions that consist of one instruction each.
 macro_rules! intrinsics {
     ($($name:ident($($argument:ident),*) = $intrinsic:ident;)*) => {$(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn $name($($argument: Self),*) -> Self {
             // SAFETY: the processor has the instruction, see the type.
             Self(unsafe { $intrinsic($($argument.0),*) })
@@ -26,34 +26,34 @@ macro_rules! register {
             const COUNT: usize = [$($lane),*].len();
             $($own)*
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn splat(x: f64) -> Self {
                 // SAFETY: the processor has the instruction, see the type.
                 Self(unsafe { $splat(x) })
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn from_lanes(f: &mut impl FnMut(usize) -> f64) -> Self {
                 Self::from_array([$(f($lane)),*])
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn load(values: &[f64]) -> Option<Self> {
                 Some(Self::from_array(*values.first_chunk()?))
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn store(a: Self, values: &mut [f64]) -> Option<()> {
                 *values.first_chunk_mut()? = a.to_array();
                 Some(())
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn lane(a: Self, i: usize) -> f64 {
                 if i < Self::COUNT { a.to_array()[i] } else { f64::NAN }
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn negate(a: Self) -> Self {
                 // SAFETY: the processor has the instruction, see the type.
                 Self(unsafe { $exclusive_or(a.0, Self::splat(-0.0).0) })
@@ -61,13 +61,13 @@ macro_rules! register {
         }
 
         impl $register {
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn from_array(lanes: [f64; Self::COUNT]) -> Self {
                 // SAFETY: both types are as many numbers of 64 bits, in the same order.
                 Self(unsafe { core::mem::transmute::<[f64; Self::COUNT], $raw>(lanes) })
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn to_array(self) -> [f64; Self::COUNT] {
                 // SAFETY: both types are as many numbers of 64 bits, in the same order.
                 unsafe { core::mem::transmute::<$raw, [f64; Self::COUNT]>(self.0) }
@@ -92,23 +92,23 @@ macro_rules! mask_of_bits {
                 or(self, other) = $or;
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn from_bool(truth: bool) -> Self {
                 Self($register::splat(f64::from_bits(if truth { u64::MAX } else { 0 })).0)
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn not(self) -> Self {
                 // SAFETY: the processor has the instruction, see the type.
                 Self(unsafe { $exclusive_or(self.0, Self::from_bool(true).0) })
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn all(self) -> bool {
                 self.bits() == (1 << Self::COUNT) - 1
             }
 
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn lane(self, i: usize) -> bool {
                 i < Self::COUNT && self.bits() >> i & 1 == 1
             }
@@ -116,7 +116,7 @@ macro_rules! mask_of_bits {
 
         impl $mask {
             /// Returns one bit for each lane.
-            #[inline(always)]
+            #[cfg_attr(optimised, inline(always))]
             fn bits(self) -> i32 {
                 // SAFETY: the processor has the instruction, see the type.
                 unsafe { $signs(self.0) }

@@ -13,7 +13,7 @@ pub struct PlainMask(bool, bool);
 
 macro_rules! formulas {
     ($($name:ident($($argument:ident),*) = $formula:expr;)*) => {$(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn $name($($argument: Self),*) -> Self {
             let one = |$($argument: f64),*| $formula;
             Self(one($($argument.0),*), one($($argument.1),*))
@@ -37,29 +37,29 @@ impl Register for Plain {
         maximum(a, b) = if a > b { a } else { b };
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn splat(x: f64) -> Self {
         Self(x, x)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn from_lanes(f: &mut impl FnMut(usize) -> f64) -> Self {
         Self(f(0), f(1))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn load(values: &[f64]) -> Option<Self> {
         let [first, second] = *values.first_chunk()?;
         Some(Self(first, second))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn store(a: Self, values: &mut [f64]) -> Option<()> {
         *values.first_chunk_mut()? = [a.0, a.1];
         Some(())
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn lane(a: Self, i: usize) -> f64 {
         match i {
             0 => a.0,
@@ -68,12 +68,12 @@ impl Register for Plain {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn at_most(a: Self, b: Self) -> PlainMask {
         PlainMask(a.0 <= b.0, a.1 <= b.1)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn select(mask: PlainMask, yes: Self, no: Self) -> Self {
         Self(if mask.0 { yes.0 } else { no.0 }, if mask.1 { yes.1 } else { no.1 })
     }
@@ -82,32 +82,32 @@ impl Register for Plain {
 impl Mask for PlainMask {
     const COUNT: usize = 2;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn from_bool(truth: bool) -> Self {
         Self(truth, truth)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn and(self, other: Self) -> Self {
         Self(self.0 & other.0, self.1 & other.1)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn or(self, other: Self) -> Self {
         Self(self.0 | other.0, self.1 | other.1)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn not(self) -> Self {
         Self(!self.0, !self.1)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn all(self) -> bool {
         self.0 & self.1
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn lane(self, i: usize) -> bool {
         (i == 0 && self.0) || (i == 1 && self.1)
     }

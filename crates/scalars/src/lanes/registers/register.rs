@@ -37,7 +37,7 @@ pub trait Register: Copy + Send + Sync + 'static {
     /// Returns the quotient a / b.
     fn divide(a: Self, b: Self) -> Self;
     /// Returns the remainder of a / b, lane by lane, since no processor has an instruction for it.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn remainder(a: Self, b: Self) -> Self {
         Self::from_lanes(&mut |i| Self::lane(a, i) % Self::lane(b, i))
     }
@@ -50,17 +50,17 @@ pub trait Register: Copy + Send + Sync + 'static {
     /// Returns a where a > b, and b elsewhere.
     fn maximum(a: Self, b: Self) -> Self;
     /// Returns a b + c, rounded twice unless a `FUSED` type overrides it.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn multiply_add(a: Self, b: Self, c: Self) -> Self {
         Self::add(Self::multiply(a, b), c)
     }
     /// Returns a b − c, rounded twice unless a `FUSED` type overrides it.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn multiply_subtract(a: Self, b: Self, c: Self) -> Self {
         Self::subtract(Self::multiply(a, b), c)
     }
     /// Returns c − a b, rounded twice unless a `FUSED` type overrides it.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn negative_multiply_add(a: Self, b: Self, c: Self) -> Self {
         Self::subtract(c, Self::multiply(a, b))
     }
@@ -79,7 +79,7 @@ pub struct Two<R>(R, R);
 /// Defines functions that apply an operation to both registers.
 macro_rules! both {
     ($($name:ident($($argument:ident),*);)*) => {$(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn $name($($argument: Self),*) -> Self {
             Self(R::$name($($argument.0),*), R::$name($($argument.1),*))
         }
@@ -105,24 +105,24 @@ impl<R: Register> Register for Two<R> {
         negative_multiply_add(a, b, c);
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn splat(x: f64) -> Self {
         Self(R::splat(x), R::splat(x))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn from_lanes(f: &mut impl FnMut(usize) -> f64) -> Self {
         let first = R::from_lanes(f);
         Self(first, R::from_lanes(&mut |i| f(R::COUNT + i)))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn load(values: &[f64]) -> Option<Self> {
         let (first, second) = values.split_at_checked(R::COUNT)?;
         Some(Self(R::load(first)?, R::load(second)?))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn store(a: Self, values: &mut [f64]) -> Option<()> {
         if values.len() < Self::COUNT {
             return None;
@@ -131,17 +131,17 @@ impl<R: Register> Register for Two<R> {
         R::store(a.0, first).and(R::store(a.1, second))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn lane(a: Self, i: usize) -> f64 {
         if i < R::COUNT { R::lane(a.0, i) } else { R::lane(a.1, i - R::COUNT) }
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn at_most(a: Self, b: Self) -> Self::Mask {
         Two(R::at_most(a.0, b.0), R::at_most(a.1, b.1))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
         Self(R::select(mask.0, yes.0, no.0), R::select(mask.1, yes.1, no.1))
     }
@@ -150,32 +150,32 @@ impl<R: Register> Register for Two<R> {
 impl<M: Mask> Mask for Two<M> {
     const COUNT: usize = 2 * M::COUNT;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn from_bool(truth: bool) -> Self {
         Self(M::from_bool(truth), M::from_bool(truth))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn and(self, other: Self) -> Self {
         Self(self.0.and(other.0), self.1.and(other.1))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn or(self, other: Self) -> Self {
         Self(self.0.or(other.0), self.1.or(other.1))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn not(self) -> Self {
         Self(self.0.not(), self.1.not())
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn all(self) -> bool {
         self.0.and(self.1).all()
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn lane(self, i: usize) -> bool {
         if i < M::COUNT { self.0.lane(i) } else { self.1.lane(i - M::COUNT) }
     }

@@ -36,19 +36,19 @@ register! {
             maximum(a, b) = _mm_max_pd;
         }
 
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn magnitude(a: Self) -> Self {
             // SAFETY: every processor of this target has SSE2, see `Sse2`.
             Self(unsafe { _mm_andnot_pd(Self::splat(-0.0).0, a.0) })
         }
 
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn at_most(a: Self, b: Self) -> Sse2Mask {
             // SAFETY: every processor of this target has SSE2, see `Sse2`.
             Sse2Mask(unsafe { _mm_cmple_pd(a.0, b.0) })
         }
 
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn select(mask: Sse2Mask, yes: Self, no: Self) -> Self {
             // SAFETY: every processor of this target has SSE2, see `Sse2`.
             Self(unsafe { _mm_or_pd(_mm_and_pd(mask.0, yes.0), _mm_andnot_pd(mask.0, no.0)) })

@@ -11,7 +11,7 @@ pub struct Unfused<R>(R);
 /// Defines functions that call those of the register.
 macro_rules! inherited {
     ($($name:ident($($argument:ident),*);)*) => {$(
-        #[inline(always)]
+        #[cfg_attr(optimised, inline(always))]
         fn $name($($argument: Self),*) -> Self {
             Self(R::$name($($argument.0),*))
         }
@@ -36,37 +36,37 @@ impl<R: Register> Register for Unfused<R> {
         maximum(a, b);
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn splat(x: f64) -> Self {
         Self(R::splat(x))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn from_lanes(f: &mut impl FnMut(usize) -> f64) -> Self {
         Self(R::from_lanes(f))
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn load(values: &[f64]) -> Option<Self> {
         R::load(values).map(Self)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn store(a: Self, values: &mut [f64]) -> Option<()> {
         R::store(a.0, values)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn lane(a: Self, i: usize) -> f64 {
         R::lane(a.0, i)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn at_most(a: Self, b: Self) -> R::Mask {
         R::at_most(a.0, b.0)
     }
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn select(mask: R::Mask, yes: Self, no: Self) -> Self {
         Self(R::select(mask, yes.0, no.0))
     }

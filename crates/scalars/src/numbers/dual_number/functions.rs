@@ -7,12 +7,12 @@ impl<T: Real> Real for DualNumber<T> {
     const HAS_SLOW_PATHS: bool = T::HAS_SLOW_PATHS;
     type Mask = T::Mask;
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn from_f64(x: f64) -> Self {
         Self::constant(T::from_f64(x))
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.chain(root, reciprocal(root + root))
@@ -68,12 +68,12 @@ impl<T: Real> Real for DualNumber<T> {
         self.chain(x.stumpff(order), slope)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn at_most(self, bound: Self) -> T::Mask {
         self.value.at_most(bound.value)
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
         Self {
             value: T::select(mask, yes.value, no.value),
@@ -81,7 +81,7 @@ impl<T: Real> Real for DualNumber<T> {
         }
     }
 
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn magnitude(self) -> Self {
         Self::constant(self.value.magnitude().larger(self.derivative.magnitude()))
     }

@@ -45,13 +45,13 @@ impl<T> DualNumber<T> {
 
 impl<T: Real> DualNumber<T> {
     /// Creates the constant x + 0 ε, whose derivative is zero.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn constant(value: T) -> Self {
         Self { value, derivative: T::zero() }
     }
 
     /// Creates x + 1 ε, the variable with respect to which a function is differentiated.
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn variable(value: T) -> Self {
         Self { value, derivative: T::one() }
     }
@@ -67,20 +67,20 @@ impl<T: Real> DualNumber<T> {
     /// assert_eq!(x.sqrt().derivative(), 0.25);
     /// ```
     #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn value_without_derivative(self) -> T {
         self.value
     }
 
     /// Returns the derivative x′ of x + ε x′, the coefficient of ε.
     #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub fn derivative(self) -> T {
         self.derivative
     }
 
     /// Applies the chain rule: returns f(x) + ε f′(x) x′ for the given value f(x) and slope f′(x).
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn chain(self, value: T, slope: T) -> Self {
         Self { value, derivative: slope * self.derivative }
     }

@@ -9,7 +9,7 @@ use num_traits::{Num, One, Zero};
 
 impl<T: Real> Add for DualNumber<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add(self, rhs: Self) -> Self {
         Self { value: self.value + rhs.value, derivative: self.derivative + rhs.derivative }
     }
@@ -17,7 +17,7 @@ impl<T: Real> Add for DualNumber<T> {
 
 impl<T: Real> Sub for DualNumber<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn sub(self, rhs: Self) -> Self {
         Self { value: self.value - rhs.value, derivative: self.derivative - rhs.derivative }
     }
@@ -25,7 +25,7 @@ impl<T: Real> Sub for DualNumber<T> {
 
 impl<T: Real> Mul for DualNumber<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn mul(self, rhs: Self) -> Self {
         Self {
             value: self.value * rhs.value,
@@ -36,7 +36,7 @@ impl<T: Real> Mul for DualNumber<T> {
 
 impl<T: Real> Div for DualNumber<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn div(self, rhs: Self) -> Self {
         let value = self.value / rhs.value;
         Self { value, derivative: (self.derivative - value * rhs.derivative) / rhs.value }
@@ -46,7 +46,7 @@ impl<T: Real> Div for DualNumber<T> {
 /// The remainder of the values; its derivative treats the truncated quotient as a constant.
 impl<T: Real> Rem for DualNumber<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn rem(self, rhs: Self) -> Self {
         let value = self.value % rhs.value;
         let quotient = (self.value - value) / rhs.value;
@@ -56,7 +56,7 @@ impl<T: Real> Rem for DualNumber<T> {
 
 impl<T: Real> Neg for DualNumber<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn neg(self) -> Self {
         Self { value: -self.value, derivative: -self.derivative }
     }
@@ -64,7 +64,7 @@ impl<T: Real> Neg for DualNumber<T> {
 
 impl<T: Real> Add<f64> for DualNumber<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn add(self, rhs: f64) -> Self {
         Self { value: self.value + rhs, ..self }
     }
@@ -72,7 +72,7 @@ impl<T: Real> Add<f64> for DualNumber<T> {
 
 impl<T: Real> Sub<f64> for DualNumber<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn sub(self, rhs: f64) -> Self {
         Self { value: self.value - rhs, ..self }
     }
@@ -80,7 +80,7 @@ impl<T: Real> Sub<f64> for DualNumber<T> {
 
 impl<T: Real> Mul<f64> for DualNumber<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn mul(self, rhs: f64) -> Self {
         Self { value: self.value * rhs, derivative: self.derivative * rhs }
     }
@@ -88,7 +88,7 @@ impl<T: Real> Mul<f64> for DualNumber<T> {
 
 impl<T: Real> Div<f64> for DualNumber<T> {
     type Output = Self;
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn div(self, rhs: f64) -> Self {
         Self { value: self.value / rhs, derivative: self.derivative / rhs }
     }
@@ -97,7 +97,7 @@ impl<T: Real> Div<f64> for DualNumber<T> {
 macro_rules! assign {
     ($($trait:ident $method:ident $operator:tt),*) => {$(
         impl<T: Real> $trait for DualNumber<T> {
-            #[cfg_attr(not(debug_assertions), inline(always))]
+            #[cfg_attr(optimised, inline(always))]
             fn $method(&mut self, rhs: Self) {
                 *self = *self $operator rhs;
             }
@@ -108,18 +108,18 @@ assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *,
         DivAssign div_assign /, RemAssign rem_assign %);
 
 impl<T: Real> Zero for DualNumber<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn zero() -> Self {
         Self::constant(T::zero())
     }
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn is_zero(&self) -> bool {
         self.value.is_zero() && self.derivative.is_zero()
     }
 }
 
 impl<T: Real> One for DualNumber<T> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
+    #[cfg_attr(optimised, inline(always))]
     fn one() -> Self {
         Self::constant(T::one())
     }

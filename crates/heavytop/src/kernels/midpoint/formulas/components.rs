@@ -32,51 +32,51 @@ pub(super) type Components<T> = [T; 3];
 impl<T: Lanes> RegisterVector for Components<T> {
     type Scalar = T;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn uniform(x: T) -> Self {
         [x; 3]
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn next(self) -> Self {
         [self[1], self[2], self[0]]
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn previous(self) -> Self {
         [self[2], self[0], self[1]]
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn times(self, v: Self) -> Self {
         each!(i => self[i] * v[i])
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn plus(self, v: Self) -> Self {
         each!(i => self[i] + v[i])
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn minus(self, v: Self) -> Self {
         each!(i => self[i] - v[i])
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn multiply_add(self, v: Self, x: Self) -> Self {
         each!(i => self[i].multiply_add(v[i], x[i]))
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn multiply_subtract(self, v: Self, x: Self) -> Self {
         each!(i => self[i].multiply_subtract(v[i], x[i]))
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn negative_multiply_add(self, v: Self, x: Self) -> Self {
         each!(i => self[i].negative_multiply_add(v[i], x[i]))
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn select(mask: <T as Real>::Mask, yes: Self, no: Self) -> Self {
         each!(i => T::select(mask, yes[i], no[i]))
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn dot(self, v: Self) -> T {
         self[0].multiply_add(v[0], self[1].multiply_add(v[1], self[2] * v[2]))
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn sum(self) -> T {
         self[0] + self[1] + self[2]
     }
@@ -91,7 +91,7 @@ pub(super) struct TopState<V> {
 
 impl<V: RegisterVector> TopState<V> {
     /// Returns where all components are finite, and Π·Γ too.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn is_finite(&self) -> MaskOf<V> {
         // A component that is not finite leaves a sum that is not, even beside zeros. Its product with 0 is NaN.
         let zero = V::Scalar::from_f64(0.0);
@@ -101,7 +101,7 @@ impl<V: RegisterVector> TopState<V> {
 
 impl<T: Lanes> TopState<Components<T>> {
     /// Gathers states into lanes: lane i is `state(i)`.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn gather(state: impl Fn(usize) -> Se3Dual) -> Self {
         Self {
             momentum: each!(k => T::from_lanes(|i| state(i).0.0[k])),
@@ -110,7 +110,7 @@ impl<T: Lanes> TopState<Components<T>> {
     }
 
     /// Returns the state in lane `i`.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn lane(&self, i: usize) -> Se3Dual {
         let vector = |v: &Components<T>| Vector3::new(v[0].lane(i), v[1].lane(i), v[2].lane(i));
         Se3Dual::new(vector(&self.momentum), vector(&self.vertical))

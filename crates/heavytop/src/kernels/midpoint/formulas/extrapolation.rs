@@ -41,7 +41,7 @@ pub(super) struct Extrapolation<S> {
 
 impl<S: Copy> Extrapolation<S> {
     /// Creates an empty history.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn new(zero: S) -> Self {
         Self { values: [zero; 2 * DEPTH], oldest: 0, known: 0 }
     }
@@ -50,7 +50,7 @@ impl<S: Copy> Extrapolation<S> {
     ///
     /// `read` converts stored vectors to those of the computation. The newest term is added last, since it is
     /// available last.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn predict<V: RegisterVector>(&self, read: impl Fn(&S) -> V) -> Option<V> {
         let weights = WEIGHTS.get(self.known.checked_sub(1)?)?;
         let window = self.values.get(self.oldest..)?.first_chunk::<DEPTH>()?;
@@ -65,7 +65,7 @@ impl<S: Copy> Extrapolation<S> {
     }
 
     /// Records a value, which the given function writes.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn push(&mut self, write: impl Fn(&mut S)) {
         let (first, second) = self.values.split_at_mut(DEPTH);
         if let (Some(first), Some(second)) =
@@ -79,7 +79,7 @@ impl<S: Copy> Extrapolation<S> {
     }
 
     /// Returns the last value that was recorded.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn newest(&self) -> &S {
         &self.values[self.oldest + DEPTH - 1]
     }

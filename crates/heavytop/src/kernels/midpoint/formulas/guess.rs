@@ -31,7 +31,7 @@ impl<V: RegisterVector> HalfTurn<V> {
     /// their sum |a|².
     ///
     /// The division is under way while vectors are multiplied by W.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn new(a: V, turned: CyclicShifts<V>, squares: V, square: V::Scalar) -> Self {
         Self {
             diagonal: squares.minus(V::uniform(square)),
@@ -42,7 +42,7 @@ impl<V: RegisterVector> HalfTurn<V> {
     }
 
     /// Returns the rotated vector R_a v.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn apply(&self, v: V, turned: CyclicShifts<V>) -> V {
         let sum = self.next.multiply_add(turned.next, self.diagonal.times(v));
         let change = self.previous.multiply_add(turned.previous, sum);
@@ -51,7 +51,7 @@ impl<V: RegisterVector> HalfTurn<V> {
 }
 
 /// Returns where a squared change |2d|² is small enough for the end of a step.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 fn is_small<T: Real>(change: T) -> T::Mask {
     change.at_most(T::from_f64(LARGEST_CHANGE))
 }
@@ -84,7 +84,7 @@ impl<V: RegisterVector> Guess<V> {
     ///
     /// and the correction is d = (1 − M)⁻¹r ≈ r + M r by the leading part 1 − M of the derivative, M r =
     /// (h/4) I⁻¹ (2 Πₘ×r).
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn new(top: &MidpointParameters<V, V::Scalar>, start: &TopState<V>, a: V) -> Self {
         let (squares, turned) = (a.times(a), CyclicShifts::new(a));
         let square = squares.sum();
@@ -106,13 +106,13 @@ impl<V: RegisterVector> Guess<V> {
     }
 
     /// Returns the squared change |2d|².
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn change(&self) -> V::Scalar {
         self.correction.dot(self.correction)
     }
 
     /// Returns where the error of a − d, at most κ|d|, is at the floor; false where something is NaN.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn converged(&self, top: &MidpointParameters<V, V::Scalar>) -> MaskOf<V> {
         let rate = (self.square * self.square).multiply_add(top.turning_rate, top.kick_rate);
         let (change, size) = (self.change(), self.square + top.least_square);
@@ -120,7 +120,7 @@ impl<V: RegisterVector> Guess<V> {
     }
 
     /// Returns where the correction is round-off and no longer shrinks.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn stalled(
         &self,
         top: &MidpointParameters<V, V::Scalar>,
@@ -133,7 +133,7 @@ impl<V: RegisterVector> Guess<V> {
     }
 
     /// Returns the corrected guess a − d.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn corrected(&self) -> V {
         V::uniform(V::Scalar::from_f64(0.5)).negative_multiply_add(self.correction, self.a)
     }
@@ -160,7 +160,7 @@ impl<V: RegisterVector> Guess<V> {
     /// or to none, of each component by itself. Since d depends on where the top is, these errors do not cancel,
     /// and |Γ|² would drift. It is added to the diagonal part of W Γ₀, whose unit is smaller by the factor |a|, and
     /// keeps its digits. The sum with the other part then rounds the digits of the diagonal part, which are arbitrary.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn end(&self, start: &TopState<V>) -> TopState<V> {
         let turn = &self.half_turn;
         let scale = V::uniform(turn.scale);

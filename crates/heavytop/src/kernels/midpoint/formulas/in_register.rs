@@ -17,13 +17,13 @@ pub(super) type Stored = [f64; 4];
 
 impl<T: FourLanes> InRegister<T> {
     /// Loads a vector from memory.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn load(v: &Stored) -> Self {
         Self(T::load(v))
     }
 
     /// Stores the vector in memory.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn store(self, v: &mut Stored) {
         self.0.store(v);
     }
@@ -32,52 +32,52 @@ impl<T: FourLanes> InRegister<T> {
 impl<T: FourLanes> RegisterVector for InRegister<T> {
     type Scalar = T;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn uniform(x: T) -> Self {
         Self(x)
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn next(self) -> Self {
         Self(self.0.next())
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn previous(self) -> Self {
         Self(self.0.previous())
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn times(self, v: Self) -> Self {
         Self(self.0 * v.0)
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn plus(self, v: Self) -> Self {
         Self(self.0 + v.0)
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn minus(self, v: Self) -> Self {
         Self(self.0 - v.0)
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn multiply_add(self, v: Self, x: Self) -> Self {
         Self(self.0.multiply_add(v.0, x.0))
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn multiply_subtract(self, v: Self, x: Self) -> Self {
         Self(self.0.multiply_subtract(v.0, x.0))
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn negative_multiply_add(self, v: Self, x: Self) -> Self {
         Self(self.0.negative_multiply_add(v.0, x.0))
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn select(mask: <T as Real>::Mask, yes: Self, no: Self) -> Self {
         Self(T::select(mask, yes.0, no.0))
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn dot(self, v: Self) -> T {
         let last = self.previous().times(v.previous());
         self.multiply_add(v, self.next().multiply_add(v.next(), last)).0.first()
     }
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn sum(self) -> T {
         self.0.sum()
     }

@@ -20,7 +20,7 @@ pub(crate) trait Member {
 ///
 /// Lanes beyond the last member repeat it. The iteration does not wait for a lane in which a step has no
 /// result.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn together<T: Lanes, M: Member>(
     top: impl Fn(&M) -> HeavyTop,
     group: &mut [M],

@@ -37,7 +37,7 @@ pub(super) struct MidpointParameters<V, T> {
 
 impl<T: Lanes> MidpointParameters<Components<T>, T> {
     /// Gathers the parameters of the tops: lane i is `top(i)`, with |Γ|² = `square(i)`.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn gather(
         top: impl Fn(usize) -> HeavyTop,
         square: impl Fn(usize) -> f64,
@@ -70,7 +70,7 @@ impl MidpointParameters<Stored, f64> {
     }
 
     /// Loads each parameter into a register.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn load<T: FourLanes>(&self) -> MidpointParameters<InRegister<T>, T> {
         MidpointParameters {
             rate: InRegister::load(&self.rate),

@@ -85,7 +85,7 @@ struct OneStep<'a>(&'a mut GuessHistory);
 impl FourLanesTask for OneStep<'_> {
     type Output = Option<usize>;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn run<T: FourLanes>(self) -> Self::Output {
         let Self(history) = self;
         let top = history.parameters.load::<T>();

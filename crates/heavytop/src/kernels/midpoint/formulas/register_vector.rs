@@ -53,14 +53,14 @@ pub(super) struct CyclicShifts<V> {
 }
 
 impl<V: RegisterVector> CyclicShifts<V> {
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub fn new(v: V) -> Self {
         Self { next: v.next(), previous: v.previous() }
     }
 }
 
 /// Returns the sum x + u×v.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn add_cross<V: RegisterVector>(x: V, u: CyclicShifts<V>, v: CyclicShifts<V>) -> V {
     u.next.multiply_add(v.previous, u.previous.negative_multiply_add(v.next, x))
 }

@@ -25,7 +25,7 @@ pub(super) struct Outcome<V: RegisterVector> {
 ///
 /// Each lane stops by itself. A lane that has converged keeps its guess while others continue, so that repeated
 /// computations from it give bit-identical results. The iteration does not wait for lanes in which `given_up` is true.
-#[inline(always)]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn step<V: RegisterVector>(
     top: &MidpointParameters<V, V::Scalar>,
     start: &TopState<V>,

@@ -54,7 +54,7 @@ struct Formulas(InstructionSet);
 impl LaneKernel for Formulas {
     type Member = OneOfMany;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn together<T: Lanes>(&self, group: &mut [OneOfMany], step: f64, count: u64) -> LaneResults {
         together::<T, _>(|member: &OneOfMany| member.0, group, step, count)
     }

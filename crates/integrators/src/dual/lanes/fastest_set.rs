@@ -38,7 +38,7 @@ impl FastestSet {
 
     /// Returns the set of the steps. If it is not known, the runs of `trial` on each set are timed, provided that the
     /// motion `starts`: steps that fail say nothing.
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn find(
         &self,
         starts: impl FnOnce() -> bool,
