@@ -42,6 +42,22 @@ pub fn imports(sources: &Sources) -> BTreeMap<&str, BTreeSet<&str>> {
     sources.iter().map(|entry| (entry.0.as_str(), of(entry))).collect()
 }
 
+/// Returns the imports of items from the root of the crate, which re-exports them: they do not show where the item is.
+pub fn imports_from_the_root(sources: &Sources) -> Vec<String> {
+    let crate_of = Crate::new(sources);
+    let is_exported = |path: &[String]| match path {
+        [root, name] => root == "crate" && crate_of.exports.contains_key(&(vec![], name.clone())),
+        _ => false,
+    };
+    let mut found = Vec::new();
+    for (file, text) in sources.iter().filter(|(file, _)| *file != "lib.rs") {
+        let paths = uses(&code(text), false).into_iter().flat_map(|tree| expand(&tree));
+        let from_root = paths.filter(|path| is_exported(path));
+        found.extend(from_root.map(|path| format!("{file} imports {}", path.join("::"))));
+    }
+    found
+}
+
 /// Returns the modules that `lib.rs` declares, in its order.
 pub fn declared_order(sources: &Sources) -> Vec<&str> {
     let lines = sources.get("lib.rs").map(String::as_str).unwrap_or_default().lines();

@@ -1,9 +1,14 @@
 //! Cayley maps from an algebra to its group: [`Cayley`].
 
-use crate::{
-    AlgebraElement, LieGroup, Pair, Power, PowerGroup, ProductGroup, Quaternion, Real, RealSpace,
-    SE2, SE3, SL2, SO2, SO3, SP1, SU2, Sl2, So3, Su2,
-};
+use crate::algebras::group::{AlgebraElement, LieGroup};
+use crate::algebras::product::{PowerGroup, ProductGroup};
+use crate::groups::sl2::{SL2, Sl2};
+use crate::groups::so2::SO2;
+use crate::groups::so3::{SO3, So3};
+use crate::groups::su2::{SU2, Su2};
+use crate::representations::euclidean::{SE2, SE3};
+use crate::representations::sp1::SP1;
+use generic_scalars::{Pair, Power, Quaternion, Real, RealSpace};
 use nalgebra::{Matrix2, Matrix3, SVector, Vector1, Vector2, Vector3};
 use num_complex::Complex;
 

@@ -3,7 +3,9 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
-use workspace_tests::architecture::{Sources, cycles, declared_order, imports, room, sources};
+use workspace_tests::architecture::{
+    Sources, cycles, declared_order, imports, imports_from_the_root, room, sources,
+};
 
 /// The crates, from the bottom to the top.
 const CRATES: &[&str] = &[
@@ -61,6 +63,13 @@ fn no_files_import_each_other() {
 fn rooms_import_the_rooms_before_them() {
     for name in CRATES {
         assert_eq!(against_the_order(&sources_of(name)), [""; 0], "{name}");
+    }
+}
+
+#[test]
+fn imports_name_the_module_that_defines() {
+    for name in CRATES {
+        assert_eq!(imports_from_the_root(&sources_of(name)), [""; 0], "{name}");
     }
 }
 
@@ -226,6 +235,8 @@ fn broken_rules_are_found() {
     assert_eq!(Vec::from_iter(found["high/mod.rs"].iter().copied()), ["high/top.rs"]);
     assert_eq!(Vec::from_iter(found["high/side.rs"].iter().copied()), ["high/mod.rs"]);
     assert_eq!(against_the_order(&broken), ["low/base.rs imports high/top.rs"]);
+    let from_root = ["Other", "Top"].map(|name| format!("low/base.rs imports crate::{name}"));
+    assert_eq!(imports_from_the_root(&broken), from_root);
 }
 
 /// Negative control: the tests of the program find sources that break their rules.

@@ -1,6 +1,6 @@
 //! Brackets of coordinates as text, such as `"K, H" = "P"`.
 
-use crate::FormulaSystemError;
+use crate::error::FormulaSystemError;
 use lie_poisson_formulas::{Coordinates, Formula, Parameters, StructureEntry, Vocabulary};
 
 /// Returns the structure constants of brackets [x, y] = Σ c z, given by the names of the coordinates of 𝔤∗.

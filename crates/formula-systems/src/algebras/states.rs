@@ -1,7 +1,7 @@
 //! States by the names of their coordinates.
 
 use super::system_algebra::SystemAlgebra;
-use crate::FormulaSystemError;
+use crate::error::FormulaSystemError;
 
 impl SystemAlgebra {
     /// Returns the coordinates of a state on 𝔤∗ from their values by name. The components of a vector may be given

@@ -1,6 +1,6 @@
 //! Structure constants from a text, one per line: [`structure_table`].
 
-use crate::SystemAlgebra;
+use crate::algebras::system_algebra::SystemAlgebra;
 use lie_poisson::StructureError;
 use lie_poisson_formulas::{EntryError, StructureEntry, shown, structure_constants};
 use thiserror::Error;

@@ -1,7 +1,7 @@
 //! The Lie algebra of a system, with names for its coordinates: [`SystemAlgebra`].
 
 use super::bracket_texts::entries;
-use crate::FormulaSystemError;
+use crate::error::FormulaSystemError;
 use lie_poisson::{
     Inherited, SO3OnR3, Se2, Se3, SemidirectAlgebra, Sl2, So3, StructureError, Su2, Vector,
 };

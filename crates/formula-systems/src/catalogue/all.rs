@@ -2,7 +2,7 @@
 
 use super::body_with_rotors::BODY_WITH_ROTORS;
 use super::system_kind::SystemKind;
-use crate::FormulaSystemError;
+use crate::error::FormulaSystemError;
 
 impl SystemKind {
     /// All systems by name.

@@ -1,6 +1,8 @@
 //! A system by name: [`SystemKind`].
 
-use crate::{FormulaSystem, FormulaSystemError, SystemAlgebra};
+use crate::algebras::system_algebra::SystemAlgebra;
+use crate::error::FormulaSystemError;
+use crate::systems::formula_system::FormulaSystem;
 use lie_poisson_formulas::{Coordinates, Parameters};
 
 /// A system by name: its algebra, its Hamiltonian in parameters, and what they mean.

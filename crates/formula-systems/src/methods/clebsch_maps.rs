@@ -1,6 +1,6 @@
 //! The Clebsch maps to the dual of an algebra from structure constants.
 
-use crate::FormulaSystemError;
+use crate::error::FormulaSystemError;
 use lie_poisson::{
     Covector, Diagonal, ExtendedAdjoint, ExtendedCoadjoint, Momentum, Pair, Real, Representation,
     StructureConstants,

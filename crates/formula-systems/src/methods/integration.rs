@@ -4,7 +4,8 @@ use super::clebsch_maps::{ClebschMap, clebsch_map};
 use super::invariant_guard::InvariantGuard;
 use super::offers::refusal;
 use crate::algebras::system_algebra::Family;
-use crate::{FormulaSystem, FormulaSystemError};
+use crate::error::FormulaSystemError;
+use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::{
     AnyIntegrator, AnyTangents, ByPointer, Collective, Composition, Direct, HamiltonianField,
     LiftFree, RungeKutta, Scheme, Start, TangentIntegrator,

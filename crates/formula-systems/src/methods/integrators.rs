@@ -1,7 +1,8 @@
 //! The integrators of a system: [`FormulaSystem::tangent_integrator`].
 
 use super::integration::Integration;
-use crate::{FormulaSystem, FormulaSystemError};
+use crate::error::FormulaSystemError;
+use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::{AnyIntegrator, AnyTangents};
 use heavytop::methods::Method;
 

@@ -1,6 +1,6 @@
 //! Steps that are refused if they lose an invariant: [`InvariantGuard`].
 
-use crate::FormulaSystem;
+use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::{Integrator, Start, Step, StepError};
 use lie_poisson::{Real, Vector, larger};
 use lie_poisson_formulas::{Formula, StructureEntry};

@@ -1,7 +1,7 @@
 //! The formulations and schemes that an algebra has.
 
-use crate::algebras::system_algebra::Family;
-use crate::{FormulaSystemError, SystemAlgebra};
+use crate::algebras::system_algebra::{Family, SystemAlgebra};
+use crate::error::FormulaSystemError;
 use heavytop::methods::{Formulation, Method, SchemeName};
 
 /// The dimensions of the algebras with a Clebsch map.

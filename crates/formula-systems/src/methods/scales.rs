@@ -1,7 +1,7 @@
 //! The scales of systems.
 
 use super::spectral_radius::spectral_radius;
-use crate::FormulaSystem;
+use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::diagnostics::SystemScales;
 use core::ops::Range;
 use lie_poisson_formulas::StructureEntry;

@@ -3,7 +3,8 @@
 use super::level_set::{Level, LevelSet};
 use super::orbit::Orbit;
 use crate::algebras::system_algebra::Family;
-use crate::{FormulaSystem, FormulaSystemError};
+use crate::error::FormulaSystemError;
+use crate::systems::formula_system::FormulaSystem;
 use lie_poisson_formulas::Coordinates;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};

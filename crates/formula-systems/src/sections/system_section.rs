@@ -2,7 +2,8 @@
 
 use super::level_set::Level;
 use super::start_search::StartSearch;
-use crate::{FormulaSystem, FormulaSystemError};
+use crate::error::FormulaSystemError;
+use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::Direction;
 use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
 

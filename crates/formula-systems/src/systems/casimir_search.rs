@@ -1,6 +1,7 @@
 //! The search for the Casimirs of an algebra whose dimension is known when the program runs.
 
-use crate::{FormulaSystemError, SystemAlgebra};
+use crate::algebras::system_algebra::SystemAlgebra;
+use crate::error::FormulaSystemError;
 use lie_poisson_formulas::{
     DimensionTask, PolynomialCasimirs, find_casimirs, for_dimension, structure_constants,
 };

@@ -1,7 +1,8 @@
 //! A Lie–Poisson system whose Hamiltonian is a formula: [`FormulaSystem`].
 
 use super::casimir_search::casimirs;
-use crate::{FormulaSystemError, SystemAlgebra};
+use crate::algebras::system_algebra::SystemAlgebra;
+use crate::error::FormulaSystemError;
 use lie_poisson_formulas::{
     Expression, Expressions, Formula, FormulaError, Parameters, StructureEntry, Vocabulary,
 };

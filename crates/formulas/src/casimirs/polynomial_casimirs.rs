@@ -245,7 +245,10 @@ fn is_casimir(constants: &[Constant], casimir: &Formula, scales: &Scales) -> boo
 #[cfg(test)]
 mod tests {
     use super::{CasimirError, Scales, constants, is_casimir};
-    use crate::{Formula, NamedAlgebra, Parameters, Vocabulary};
+    use crate::hamiltonians::formula::Formula;
+    use crate::names::named_algebra::NamedAlgebra;
+    use crate::names::parameters::Parameters;
+    use crate::names::vocabulary::Vocabulary;
     use lie_poisson::Se3;
 
     #[test]

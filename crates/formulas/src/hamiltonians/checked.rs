@@ -64,7 +64,9 @@ impl Formula {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{NameError, Parameters, Vocabulary};
+    use crate::names::name_error::NameError;
+    use crate::names::parameters::Parameters;
+    use crate::names::vocabulary::Vocabulary;
     use lie_poisson::So3;
 
     /// The innermost part is named, whatever stands around it.

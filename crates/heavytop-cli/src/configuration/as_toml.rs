@@ -1,7 +1,7 @@
 //! Configurations as TOML, and the differences of two of them.
 
 use super::config::Config;
-use crate::Error;
+use crate::errors::Error;
 use crate::vocabulary::brief;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};

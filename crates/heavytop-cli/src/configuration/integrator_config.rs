@@ -1,6 +1,6 @@
 //! The table `[integrator]`: the method and its steps.
 
-use crate::Error;
+use crate::errors::Error;
 use crate::vocabulary::method_names;
 use heavytop::methods::{Formulation, Method, SchemeName};
 use lie_poisson::InstructionSet;

@@ -1,7 +1,7 @@
 //! The table `[section]`: which Poincaré section, and how many points.
 
 use super::system::Numbers;
-use crate::Error;
+use crate::errors::Error;
 use crate::vocabulary::named::{by_name, name_of};
 use collective_integrators::Direction;
 use heavytop::{Coordinate, SurfaceVariable};

@@ -3,7 +3,7 @@
 use super::place::Place;
 use super::safeguards::kind::Kind;
 use super::torn_line::cut_torn_line;
-use crate::Error;
+use crate::errors::Error;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! The files of a command, which get their names together.
 
 use super::output::Output;
-use crate::Error;
+use crate::errors::Error;
 use std::io::Write;
 use std::path::Path;
 

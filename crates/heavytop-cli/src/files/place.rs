@@ -1,7 +1,7 @@
 //! The place of an output: its path, and whether it is a device or standard output.
 
 use super::lock;
-use crate::Error;
+use crate::errors::Error;
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};

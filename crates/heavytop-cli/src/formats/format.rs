@@ -9,7 +9,7 @@ use super::metadata::Metadata;
 use super::rows::Rows;
 use super::run_table::{RunTable, append_row};
 use super::{npz, parquet, recognition};
-use crate::Error;
+use crate::errors::Error;
 use crate::files::{Kind, Output, Place};
 use serde::{Deserialize, Serialize};
 use std::fmt;

@@ -1,7 +1,7 @@
 //! The metadata of an output: where it comes from.
 
-use crate::Error;
 use crate::configuration::{Config, Notes};
+use crate::errors::Error;
 use serde::Serialize;
 
 /// The metadata of an output: the program, its version and the configuration.

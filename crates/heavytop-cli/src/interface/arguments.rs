@@ -5,8 +5,8 @@ use super::help::{
     COMPLETIONS_EXAMPLES, EXIT_CODES, INIT_EXAMPLES, MAN_EXAMPLES, REPRODUCE, REPRODUCE_EXAMPLES,
     SECTION, SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES, SWEEP, SWEEP_EXAMPLES,
 };
-use crate::Error;
 use crate::configuration::{Config, Notes, Preset};
+use crate::errors::Error;
 use crate::files::Safeguard;
 use crate::reading::Sources;
 use clap::{Args, Parser, Subcommand};

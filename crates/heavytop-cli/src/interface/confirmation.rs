@@ -1,6 +1,6 @@
 //! The question before an output that is absurdly large.
 
-use crate::Error;
+use crate::errors::Error;
 use crate::files::Place;
 use crate::supervision::Forecast;
 use crate::supervision::forecast::size;

@@ -1,8 +1,8 @@
 //! The command `init`: a configuration with comments, to begin with.
 
 use super::standard_output::to_stdout;
-use crate::Error;
 use crate::configuration::{BodyConfig, Config, Integration, Preset};
+use crate::errors::Error;
 use crate::files::{Kind, Output, Place, Safeguard};
 use clap::ValueEnum;
 use std::io::{self, Write};

@@ -4,7 +4,7 @@ use super::arguments::Arguments;
 use super::help::blocks::Block;
 use super::help::layout::of_block;
 use super::standard_output::to_stdout;
-use crate::Error;
+use crate::errors::Error;
 use clap::CommandFactory;
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, roman};

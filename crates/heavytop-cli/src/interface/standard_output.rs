@@ -1,7 +1,7 @@
 //! Printing to standard output, and to stderr for machines; texts that fit the terminal.
 
 use super::help::layout::fitted;
-use crate::Error;
+use crate::errors::Error;
 use console::Term;
 use serde::Serialize;
 use std::fmt::Display;

@@ -1,6 +1,6 @@
 //! Rendering of SVG: text to outlines, and SVG to PNG.
 
-use crate::Error;
+use crate::errors::Error;
 use crate::files::{Kind, contains};
 use svg_pictures::Picture;
 

@@ -2,7 +2,7 @@
 
 use super::key_path::{KeyPath, Step};
 use super::readable_text::readable;
-use crate::Error;
+use crate::errors::Error;
 use toml::{Table, Value};
 
 /// The option that makes assignments.

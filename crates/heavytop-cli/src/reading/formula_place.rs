@@ -1,7 +1,6 @@
 //! The place of an error within a formula that a configuration contains.
 
-use crate::Error;
-use crate::errors::SystemTableError;
+use crate::errors::{Error, SystemTableError};
 use lie_poisson_formula_systems::FormulaSystemError;
 use lie_poisson_formulas::{FormulaError, Problem};
 use std::ops::Range;

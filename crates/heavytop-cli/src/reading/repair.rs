@@ -1,8 +1,7 @@
 //! Repairs: the keys to which a refusal refers, and what to write instead.
 
-use crate::Error;
 use crate::configuration::{Config, Integration};
-use crate::errors::{SweepError, SystemTableError};
+use crate::errors::{Error, SweepError, SystemTableError};
 use crate::vocabulary::brief::number;
 use heavytop::methods::MethodError;
 use heavytop::{SectionError, TopError};

@@ -3,8 +3,8 @@
 use super::assignment::{OPTION, line};
 use super::configuration_text::ConfigurationText;
 use super::repair::repairs;
-use crate::Error;
 use crate::configuration::{BodyConfig, Config, LeftOut, Preset};
+use crate::errors::Error;
 use crate::files::{Input, bounded};
 use crate::vocabulary::brief::number;
 use std::path::Path;

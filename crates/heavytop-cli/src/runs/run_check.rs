@@ -1,6 +1,6 @@
 //! The accuracy of a run in its summary and in a warning.
 
-use crate::Error;
+use crate::errors::Error;
 use crate::vocabulary::brief::number;
 use collective_integrators::RunError;
 use collective_integrators::diagnostics::{NoOrder, RunAccuracy, StepCheck};

@@ -1,6 +1,6 @@
 //! Forecasts of commands: how much they would write, and how long that would take.
 
-use crate::Error;
+use crate::errors::Error;
 use crate::files::place::shown;
 use rayon::prelude::*;
 use serde::Serialize;

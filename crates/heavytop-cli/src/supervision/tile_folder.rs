@@ -1,9 +1,8 @@
 //! The folder of tiles: finished parts of a run that outlast it.
 
 use super::tiled_run::{RESUME, TileOptions};
-use crate::Error;
 use crate::configuration::{Config, inner};
-use crate::errors::CheckpointError;
+use crate::errors::{CheckpointError, Error};
 use crate::files::sealed::{self, damaged, of_this_version, open, seal};
 use crate::files::{Kind, Output, lock};
 use serde::{Deserialize, Serialize};

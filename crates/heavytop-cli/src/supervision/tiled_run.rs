@@ -1,6 +1,6 @@
 //! A run in tiles: its options, its threads, and its end.
 
-use crate::Error;
+use crate::errors::Error;
 use crate::files::Safeguard;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -1,6 +1,6 @@
 //! The options of a command that cannot be resumed.
 
-use crate::Error;
+use crate::errors::Error;
 use crate::files::Safeguard;
 use std::sync::atomic::{AtomicBool, Ordering};
 

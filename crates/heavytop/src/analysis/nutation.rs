@@ -1,7 +1,7 @@
 //! The nutation of any top, its amplitude and its rotation number: [`Nutation`].
 
-use crate::HeavyTop;
 use crate::closed_forms::power_of_two::power_of_two;
+use crate::tops::top::HeavyTop;
 use core::f64::consts::{PI, TAU};
 use lie_poisson::{Covector, Pair, Se3Dual, larger};
 use nalgebra::Vector3;

@@ -1,8 +1,11 @@
 //! Poincaré sections of a top: [`Section`].
 
+use crate::analysis::section_error::SectionError;
 use crate::analysis::section_level::{least_energy, quasi_random};
 use crate::analysis::surface::{Place, Surface, SurfaceVariable};
-use crate::{EnergyLevel, HeavyTopSpace, PrincipalAxes, SectionError};
+use crate::tops::energy_level::EnergyLevel;
+use crate::tops::principal_axes::PrincipalAxes;
+use crate::tops::top::HeavyTopSpace;
 use collective_integrators::{Direction, EventError, Events, RunError, SampleOf, Start};
 use lie_poisson::{Hamiltonian, LiePoisson, PoissonSpace, Se3, Se3Dual, State, Vector};
 use nalgebra::{Vector2, Vector3};
@@ -268,7 +271,8 @@ impl Section {
 mod tests {
     use super::*;
     use crate::analysis::surface::vertical;
-    use crate::{Body, Coordinate, HeavyTop};
+    use crate::tops::coordinate::Coordinate;
+    use crate::tops::top::{Body, HeavyTop};
     use core::f64::consts::{PI, TAU};
 
     /// The bound of Π_i on Γ_i = level is that of the energy at the most favourable angle.

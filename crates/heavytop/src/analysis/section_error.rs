@@ -1,6 +1,6 @@
 //! Errors of Poincaré sections.
 
-use crate::Coordinate;
+use crate::tops::coordinate::Coordinate;
 use thiserror::Error;
 
 /// The reason why a Poincaré section does not exist.

@@ -1,6 +1,6 @@
 //! The surfaces of Poincaré sections of tops: [`Surface`], [`SurfaceVariable`].
 
-use crate::Coordinate;
+use crate::tops::coordinate::Coordinate;
 use collective_integrators::Direction;
 use core::f64::consts::{PI, TAU};
 use core::fmt;

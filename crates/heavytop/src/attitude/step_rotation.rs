@@ -1,6 +1,7 @@
 //! Integrators and flows that report the rotation of the body in each step.
 
-use crate::{HeavyTopSpace, SpinorPoint, SpinorRealisation};
+use crate::paper::spinor_realisation::{SpinorPoint, SpinorRealisation};
+use crate::tops::top::HeavyTopSpace;
 use collective_integrators::{
     Collective, Compensated, Composition, Equivariant, ExactFlows, FlowSequence, Integrator,
     LiftFree, Scheme, Splitting, StagesInLanes, Step, StepError, compensated_sum,

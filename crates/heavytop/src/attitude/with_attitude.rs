@@ -1,7 +1,6 @@
 //! Trajectories with the attitude of the body: [`WithAttitude`].
 
-use crate::Turning;
-use crate::attitude::step_rotation::unit;
+use crate::attitude::step_rotation::{Turning, unit};
 use collective_integrators::{Integrator, Start, Step, StepError};
 use lie_poisson::{Pair, Quaternion, Real, Se3Dual, Vector, squaring_scale};
 use momentum_map::LiftError;

@@ -1,6 +1,6 @@
 //! Jacobi's elliptic functions.
 
-use crate::TopError;
+use crate::error::TopError;
 use core::f64::consts::{FRAC_PI_2, TAU};
 use twofloat::TwoFloat;
 

@@ -1,10 +1,10 @@
 //! The motion of the free rigid body in closed form.
 
-use crate::closed_forms::elliptic::elliptic_argument;
+use crate::closed_forms::elliptic::{JacobiElliptic, elliptic_argument};
 use crate::closed_forms::power_of_two::power_of_two;
-use crate::error::require_finite;
+use crate::error::{TopError, require_finite};
+use crate::tops::rigid_body::RigidBody;
 use crate::tops::top::kinetic;
-use crate::{JacobiElliptic, RigidBody, TopError};
 use nalgebra::Vector3;
 use twofloat::TwoFloat;
 

@@ -1,9 +1,9 @@
 //! The nutation of Lagrange's top in closed form.
 
-use crate::closed_forms::elliptic::elliptic_argument;
+use crate::closed_forms::elliptic::{JacobiElliptic, elliptic_argument};
 use crate::closed_forms::nutation_cubic::NutationCubic;
-use crate::error::require_finite;
-use crate::{HeavyTop, JacobiElliptic, TopError};
+use crate::error::{TopError, require_finite};
+use crate::tops::top::HeavyTop;
 use lie_poisson::{Covector, Pair, Se3Dual};
 
 /// The height Γ₃(t) of Lagrange's top in closed form.

@@ -1,8 +1,7 @@
 //! The scales of tops, and the accuracy of their runs: [`Method::accuracy`] and [`Method::check`].
 
 use super::{Method, MethodError};
-use crate::HeavyTop;
-use crate::tops::top::kinetic;
+use crate::tops::top::{HeavyTop, kinetic};
 use collective_integrators::RunError;
 use collective_integrators::diagnostics::{
     RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,

@@ -2,10 +2,12 @@
 
 use super::wanted::{Attitude, DIMENSION, Tangents, Wanted, with_attitude};
 use super::{ComposedScheme, Formulation, MethodError, PartitionedScheme, SchemeName};
-use crate::{
-    CollectiveGauss, HeavyTop, RotorSplitting, SpinorRealisation, SymmetricTopSplitting,
-    TopMidpoint,
-};
+use crate::kernels::gauss_one::collective_gauss::CollectiveGauss;
+use crate::kernels::midpoint::top_midpoint::TopMidpoint;
+use crate::paper::spinor_realisation::SpinorRealisation;
+use crate::splittings::rotors::RotorSplitting;
+use crate::splittings::symmetric_top::SymmetricTopSplitting;
+use crate::tops::top::HeavyTop;
 use collective_integrators::{
     AnyIntegrator, AnyTangents, Collective, Composition, Direct, FirstHalf, HamiltonianField,
     LiftFree, PartitionedRungeKutta, RungeKutta, SchemeError, Splitting, StageSolver,

@@ -1,6 +1,7 @@
 //! What a method makes of the integrator of a top, whatever its type.
 
-use crate::{Turning, WithAttitude};
+use crate::attitude::step_rotation::Turning;
+use crate::attitude::with_attitude::WithAttitude;
 use collective_integrators::{AnyIntegrator, AnyTangents, Start, TangentIntegrator};
 use lie_poisson::{Se3Dual, Vector};
 

@@ -1,7 +1,9 @@
 //! The splitting of a top into four exactly solvable parts.
 
+use crate::attitude::step_rotation::TurningFlows;
 use crate::splittings::principal_turn::PrincipalTurn;
-use crate::{HeavyTop, RigidBody, TurningFlows};
+use crate::tops::rigid_body::RigidBody;
+use crate::tops::top::HeavyTop;
 use collective_integrators::ExactFlows;
 use lie_poisson::{Covector, LieGroup, Pair, Quaternion, Real, SP1, Se3Dual, Vector};
 use nalgebra::Vector3;

@@ -1,8 +1,10 @@
 //! The splitting of a symmetric top into the free symmetric top and its weight.
 
+use crate::attitude::step_rotation::TurningFlows;
+use crate::error::TopError;
 use crate::splittings::principal_turn::PrincipalTurn;
 use crate::splittings::rotors::{axial_turn, kick, rotated};
-use crate::{HeavyTop, TopError, TurningFlows};
+use crate::tops::top::HeavyTop;
 use collective_integrators::ExactFlows;
 use lie_poisson::{Covector, LieGroup, Pair, Quaternion, Real, SP1, Se3Dual};
 use nalgebra::Vector3;

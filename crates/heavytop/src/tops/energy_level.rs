@@ -1,6 +1,6 @@
 //! The states of a top with given energy and vertical angular momentum.
 
-use crate::HeavyTop;
+use crate::tops::top::HeavyTop;
 use lie_poisson::{Se3Dual, Vector};
 use nalgebra::Vector3;
 

@@ -1,6 +1,6 @@
 //! The conserved quantities of the tops.
 
-use crate::HeavyTop;
+use crate::tops::top::HeavyTop;
 use core::fmt;
 use lie_poisson::{Covector, Hamiltonian, Pair, Real, Se3Dual};
 use num_complex::Complex;

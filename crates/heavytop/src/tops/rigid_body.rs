@@ -1,6 +1,7 @@
 //! The free rigid body on so(3)∗.
 
-use crate::{HeavyTop, TopError};
+use crate::error::TopError;
+use crate::tops::top::HeavyTop;
 use lie_poisson::{Covector, Hamiltonian, LiePoisson, Real, So3};
 use nalgebra::Vector3;
 

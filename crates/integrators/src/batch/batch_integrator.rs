@@ -1,6 +1,6 @@
 //! Integrators that advance many states at once: [`BatchIntegrator`].
 
-use crate::IntegrationError;
+use crate::error::IntegrationError;
 use core::ops::Range;
 
 /// A method that advances many independent states side by side, each as if it were alone.

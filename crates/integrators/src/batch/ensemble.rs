@@ -1,6 +1,7 @@
 //! Ensembles: many initial states, advanced on all threads.
 
-use crate::{BatchIntegrator, IntegrationError};
+use crate::batch::batch_integrator::BatchIntegrator;
+use crate::error::IntegrationError;
 use core::error::Error;
 use core::fmt;
 use core::ops::Range;

@@ -1,6 +1,6 @@
 //! The engine of all batches: it advances groups of members block by block and treats those that fail.
 
-use crate::IntegrationError;
+use crate::error::IntegrationError;
 use crate::stages::checkpoints::blocks;
 use core::ops::Range;
 

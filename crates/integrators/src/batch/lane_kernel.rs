@@ -1,7 +1,7 @@
 //! Kernels for many members: [`LaneKernel`], on the [`Registers`] of the processor.
 
-use crate::IntegrationError;
 use crate::batch::group_engine::{Group, MOST_LANES, advance_groups};
+use crate::error::IntegrationError;
 use core::marker::PhantomData;
 use core::ops::Range;
 use lie_poisson::{InstructionSet, LaneTask, Lanes, MissingInstructions, Width, dispatch};

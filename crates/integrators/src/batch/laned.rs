@@ -1,9 +1,11 @@
 //! Batch integrators over SIMD lanes that are chosen when the program runs: [`Laned`].
 
+use crate::batch::batch_integrator::BatchIntegrator;
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
 use crate::dual::lanes::fastest_set::FastestSet;
-use crate::{BatchIntegrator, IntegrationError, Integrator, StepError};
+use crate::dual::trajectories::integrator::Integrator;
+use crate::error::{IntegrationError, StepError};
 use core::ops::Range;
 use lie_poisson::{
     DefaultLanes, InstructionSet, Lanes, MissingInstructions, StorageOver, TaskOver, UnfusedSpace,

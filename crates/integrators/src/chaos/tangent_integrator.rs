@@ -1,6 +1,7 @@
 //! Integrators that carry tangent vectors along: [`TangentIntegrator`], [`VariationalError`].
 
-use crate::{IntegrationError, Integrator};
+use crate::dual::trajectories::integrator::Integrator;
+use crate::error::IntegrationError;
 use lie_poisson::{DualNumber, State};
 use thiserror::Error;
 

@@ -2,8 +2,9 @@
 
 use super::generic_tangent::generic_coordinate;
 use super::tangent_integrator::{DualStateOf, MomentumOf, StateOf, TangentIntegrator};
+use crate::dual::trajectories::integrator::Integrator;
+use crate::error::StepError;
 use crate::natural_scales::natural_scales;
-use crate::{Integrator, StepError};
 use lie_poisson::{BlockScales, DualNumber, State, larger};
 
 /// The scales of the blocks of tangent vectors, constant along a run.

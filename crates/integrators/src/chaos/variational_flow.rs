@@ -7,7 +7,9 @@ use super::tangent_integrator::{
 };
 use super::tangent_scales::{Prober, TangentScales};
 use super::tangent_steps::{image, normalise_images, step_tangents};
-use crate::{CHECKPOINT, IntegrationError, Integrator, StepError};
+use crate::dual::trajectories::integrator::Integrator;
+use crate::error::{IntegrationError, StepError};
+use crate::stages::checkpoints::CHECKPOINT;
 use lie_poisson::{DualNumber, State};
 
 /// A state z with K tangent vectors v, advanced by the integrator and by its exact tangent map:
@@ -262,7 +264,9 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Direct, RungeKutta, VectorField};
+    use crate::dual::direct::Direct;
+    use crate::schemes::runge_kutta::RungeKutta;
+    use crate::vector_field::VectorField;
     use lie_poisson::Real;
     use nalgebra::Vector2;
 

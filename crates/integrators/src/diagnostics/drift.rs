@@ -1,7 +1,8 @@
 //! The change of a conserved quantity along a run: [`Drift`].
 
 use super::OrderFitError;
-use crate::{IntegrationError, Sample};
+use crate::dual::trajectories::sample::Sample;
+use crate::error::IntegrationError;
 use lie_poisson::larger;
 use thiserror::Error;
 

@@ -1,6 +1,7 @@
 //! Defects of a scheme that does not descend along a Poisson map.
 
-use crate::{Scheme, StepError};
+use crate::error::StepError;
+use crate::schemes::scheme::Scheme;
 use lie_poisson::{
     BlockScales, DualNumber, Hamiltonian, Mask, Real, Vector, derivative_part, larger,
     map_coordinates, seed,

@@ -2,7 +2,9 @@
 
 use super::form_defects::{bracket_change, form_change};
 use super::tangent::linearised;
-use crate::{Integrator, Start, StepError};
+use crate::dual::trajectories::integrator::Integrator;
+use crate::dual::trajectories::start::Start;
+use crate::error::StepError;
 use lie_poisson::{DualNumber, Point, PoissonSpace, Real};
 use momentum_map::{LiftError, SymplecticSpace};
 use thiserror::Error;

@@ -1,13 +1,14 @@
 //! The collective integrator: [`Collective`].
 
+use crate::dual::compensated::{Compensated, Increments};
 use crate::dual::finite_momentum::has_finite_momentum;
 use crate::dual::recentring_threshold::{RecentringThreshold, moves_along};
+use crate::dual::trajectories::integrator::Integrator;
+use crate::dual::trajectories::start::Start;
+use crate::error::StepError;
+use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
 use crate::sums::two_sum::exact_sum;
-use crate::vector_field::dual_differential;
-use crate::{
-    Compensated, Equivariant, Increment, Increments, Integrator, Scheme, Start, Step, StepError,
-    VectorField,
-};
+use crate::vector_field::{VectorField, dual_differential};
 use lie_poisson::{DualNumber, Hamiltonian, Mask, Pair, Real, Vector, derivative_part, seed};
 use momentum_map::{
     CollectiveHamiltonian, Far, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint,

@@ -1,7 +1,10 @@
 //! Compensated summation, which carries the rounding errors of the steps along: [`Compensated`].
 
+use crate::dual::trajectories::integrator::Integrator;
+use crate::dual::trajectories::start::Start;
+use crate::error::StepError;
+use crate::schemes::scheme::{Increment, Step};
 use crate::sums::two_sum::add_compensated;
-use crate::{Increment, Integrator, Start, Step, StepError};
 use lie_poisson::{Pair, Real, State};
 use momentum_map::LiftError;
 

@@ -1,9 +1,11 @@
 //! Schemes applied directly to the equations: [`Direct`].
 
-use crate::{
-    Compensated, Increment, Increments, Integrator, Scheme, StateIsMomentum, Step, StepError,
-    VectorField,
-};
+use crate::dual::compensated::{Compensated, Increments};
+use crate::dual::state_is_momentum::StateIsMomentum;
+use crate::dual::trajectories::integrator::Integrator;
+use crate::error::StepError;
+use crate::schemes::scheme::{Increment, Scheme, Step};
+use crate::vector_field::VectorField;
 use lie_poisson::{Pair, Real, State};
 
 /// A scheme applied directly to a vector field, such as that of the Lie–Poisson equations dμ/dt = X_h(μ) on 𝔤∗.

@@ -1,10 +1,12 @@
 //! Collective Runge–Kutta methods without a lift: [`LiftFree`].
 
+use crate::dual::compensated::{Compensated, Increments};
 use crate::dual::multiplier_field::{Course, MultiplierField};
-use crate::{
-    Compensated, Equivariant, Increment, Increments, Integrator, Scheme, StateIsMomentum, Step,
-    StepError, VectorField,
-};
+use crate::dual::state_is_momentum::StateIsMomentum;
+use crate::dual::trajectories::integrator::Integrator;
+use crate::error::StepError;
+use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
+use crate::vector_field::VectorField;
 use lie_poisson::{Hamiltonian, Pair, Point, Real, Vector};
 use momentum_map::{Multiplier, Multipliers};
 

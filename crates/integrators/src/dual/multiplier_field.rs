@@ -1,9 +1,9 @@
 //! The vector field of multipliers, and its successive steps.
 
 use crate::stage_frame::StageFrame;
+use crate::stages::checkpoints::CHECKPOINT;
 use crate::stages::history::near;
-use crate::vector_field::dual_differential;
-use crate::{CHECKPOINT, VectorField};
+use crate::vector_field::{VectorField, dual_differential};
 use lie_poisson::{
     DualNumber, Hamiltonian, Mask, Point, Real, Vector, derivative_part, map_coordinates, seed,
 };

@@ -2,7 +2,11 @@
 
 use super::any_state::{AnyState, BlockEnds};
 use super::any_steps::{AnyStart, AnySteps, AnyTangents, AnyWorkspace, Erased};
-use crate::{IntegrationError, Integrator, Start, Step, StepError, TangentIntegrator};
+use crate::chaos::tangent_integrator::TangentIntegrator;
+use crate::dual::trajectories::integrator::Integrator;
+use crate::dual::trajectories::start::Start;
+use crate::error::{IntegrationError, StepError};
+use crate::schemes::scheme::Step;
 use core::fmt;
 use core::ops::Range;
 use lie_poisson::{Real, State, Vector};

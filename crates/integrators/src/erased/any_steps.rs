@@ -1,7 +1,10 @@
 //! The steps of an integrator behind a pointer: [`AnySteps`], [`AnyStart`] and [`AnyTangents`].
 
 use super::any_state::{AnyState, BlockEnds};
-use crate::{IntegrationError, Integrator, Start, Step, StepError};
+use crate::dual::trajectories::integrator::Integrator;
+use crate::dual::trajectories::start::Start;
+use crate::error::{IntegrationError, StepError};
+use crate::schemes::scheme::Step;
 use core::any::Any;
 use core::fmt;
 use core::ops::Range;

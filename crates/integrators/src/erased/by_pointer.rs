@@ -1,7 +1,9 @@
 //! A scheme that calls fields through a pointer: [`ByPointer`].
 
+use crate::error::StepError;
+use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
 use crate::stages::newton::FieldOn;
-use crate::{Equivariant, Increment, Scheme, Step, StepError, VectorField};
+use crate::vector_field::VectorField;
 use lie_poisson::{Real, State};
 
 /// A scheme that calls fields through a pointer, so that its steps are compiled once for each type of points, and not for each

@@ -1,11 +1,10 @@
 //! Stage equations that are to be solved with one stage in each SIMD lane: [`LaneProblem`].
 
-use crate::StageSolver;
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::Ratios;
 use crate::iteration::stage_rows::{StageColumns, StageRow, StageRows, WIDTH};
 use crate::iteration::stage_scale::{Progress, StageScale};
-use crate::iteration::stage_solver::Unconverged;
+use crate::iteration::stage_solver::{StageSolver, Unconverged};
 use core::hint::black_box;
 use lie_poisson::{Lanes, Mask, Real, State, Vector};
 

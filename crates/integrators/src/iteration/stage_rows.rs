@@ -1,6 +1,6 @@
 //! Numbers for all stages of a method, side by side: [`StageRow`].
 
-use crate::Tableau;
+use crate::tableaux::tableau::Tableau;
 use core::array::from_fn;
 use lie_poisson::Lanes;
 
@@ -82,7 +82,7 @@ impl StageRows {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::RungeKutta;
+    use crate::schemes::runge_kutta::RungeKutta;
 
     #[test]
     fn columns_have_the_low_parts_of_the_coefficients() {

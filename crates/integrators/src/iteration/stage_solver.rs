@@ -1,6 +1,6 @@
 //! The solution of the stage equations to the round-off floor, by iteration: [`StageSolver`].
 
-use crate::StepError;
+use crate::error::StepError;
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::{FLOOR, Ratios, Watch, is_finite, unknown};
 use crate::iteration::stage_scale::{OwnScale, Progress, Scale};
@@ -376,7 +376,10 @@ pub(crate) fn set_combination<V: State>(sum: &mut V, row: &[f64], k: &[V]) {
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use crate::{RungeKutta, Scheme, StepError, from_fn};
+    use crate::error::StepError;
+    use crate::schemes::runge_kutta::RungeKutta;
+    use crate::schemes::scheme::Scheme;
+    use crate::vector_field::from_fn;
     use lie_poisson::Pair;
     use nalgebra::{Vector1, Vector2};
 

@@ -2,7 +2,9 @@
 
 use super::differences::{at_least_one, broken_unless};
 use super::{Faulty, NoSamples, Report};
-use crate::{BatchIntegrator, CHECKPOINT, IntegrationError};
+use crate::batch::batch_integrator::BatchIntegrator;
+use crate::error::IntegrationError;
+use crate::stages::checkpoints::CHECKPOINT;
 use core::ops::Range;
 
 /// Evaluates the laws of a batch integrator on samples of members, for one step size:

@@ -1,7 +1,8 @@
 //! Comparisons for the suites: bits of points, and steps that may have failed.
 
 use super::NoSamples;
-use crate::{Step, StepError};
+use crate::error::StepError;
+use crate::schemes::scheme::Step;
 use lie_poisson::{Real, State, larger};
 
 /// Returns the number of coordinates in which the bits of two points differ.

@@ -2,7 +2,8 @@
 
 use super::differences::point_or_nan;
 use super::{GenericSystem, Report};
-use crate::{Equivariant, VectorField, from_fn};
+use crate::schemes::scheme::Equivariant;
+use crate::vector_field::{VectorField, from_fn};
 use lie_poisson::Vector;
 use momentum_map::Cotangent;
 use nalgebra::Vector2;

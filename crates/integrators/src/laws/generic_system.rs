@@ -1,6 +1,6 @@
 //! A Hamiltonian system without special structure: [`GenericSystem`].
 
-use crate::HamiltonianField;
+use crate::vector_field::HamiltonianField;
 use lie_poisson::{Automatic, Covector, Energy, Real, RealSpace};
 use momentum_map::{Cotangent, CotangentBundle};
 use nalgebra::Vector2;

@@ -5,7 +5,10 @@ use super::differences::{
     not_finite, point_or_nan,
 };
 use super::{Faulty, NoSamples, Report};
-use crate::{CHECKPOINT, Integrator, SampleOf, Step, StepError};
+use crate::dual::trajectories::integrator::{Integrator, SampleOf};
+use crate::error::StepError;
+use crate::schemes::scheme::Step;
+use crate::stages::checkpoints::CHECKPOINT;
 use lie_poisson::{BlockScales, Real, State};
 
 /// Evaluates the laws of an integrator on samples of states, for one step size:

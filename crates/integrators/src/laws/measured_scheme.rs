@@ -3,7 +3,10 @@
 use super::GenericSystem;
 use super::differences::point_or_nan;
 use crate::diagnostics::{fitted_order, reversibility_defect, step_symplecticity_defect};
-use crate::{Direct, RungeKutta, Scheme, VectorField, from_fn};
+use crate::dual::direct::Direct;
+use crate::schemes::runge_kutta::RungeKutta;
+use crate::schemes::scheme::Scheme;
+use crate::vector_field::{VectorField, from_fn};
 use lie_poisson::{Vector, larger};
 use nalgebra::Vector3;
 

@@ -2,7 +2,8 @@
 
 use super::differences::{NOT_FINITE, broken_unless, constant, different_bits, point_or_nan};
 use super::{GenericSystem, MeasuredScheme, Report};
-use crate::{Scheme, Step, from_fn};
+use crate::schemes::scheme::{Scheme, Step};
+use crate::vector_field::from_fn;
 use lie_poisson::{DefaultLanes, Lanes, Pair, Real, Vector, larger, map_coordinates};
 use momentum_map::Cotangent;
 use nalgebra::Vector2;

@@ -5,7 +5,8 @@ use super::differences::{
     not_finite,
 };
 use super::{Faulty, NoSamples, Report};
-use crate::{SampleOf, Start};
+use crate::dual::trajectories::integrator::SampleOf;
+use crate::dual::trajectories::start::Start;
 use lie_poisson::Real;
 use momentum_map::LiftError;
 

@@ -1,8 +1,8 @@
 //! Sign changes of a function along a trajectory.
 
-use crate::runs::event_values::{EventValues, Point, have_one_sign};
+use crate::dual::trajectories::integrator::{Integrator, SampleOf};
+use crate::runs::event_values::{EventError, EventValues, Point, have_one_sign};
 use crate::runs::root_bracketing::Bracket;
-use crate::{EventError, Integrator, SampleOf};
 
 /// The direction in which g crosses zero along the trajectory.
 ///

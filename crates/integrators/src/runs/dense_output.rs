@@ -1,7 +1,8 @@
 //! The states of a trajectory at any time: [`DenseOutput`].
 
+use crate::dual::trajectories::integrator::{Integrator, SampleOf};
+use crate::error::IntegrationError;
 use crate::runs::partial_step::PartialStep;
-use crate::{IntegrationError, Integrator, SampleOf};
 use thiserror::Error;
 
 /// The reason why a trajectory has no state at a time.
@@ -114,7 +115,10 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Direct, RungeKutta, StepError, from_fn};
+    use crate::dual::direct::Direct;
+    use crate::error::StepError;
+    use crate::schemes::runge_kutta::RungeKutta;
+    use crate::vector_field::from_fn;
     use nalgebra::Vector1;
 
     #[test]

@@ -1,9 +1,9 @@
 //! The search for events in samples that the caller supplies: [`EventSearch`].
 
-use crate::runs::crossing::Crossings;
-use crate::runs::event_values::{Approach, EventValues, Point};
+use crate::dual::trajectories::integrator::{Integrator, SampleOf};
+use crate::runs::crossing::{Crossings, Direction};
+use crate::runs::event_values::{Approach, EventError, EventValues, Point};
 use crate::runs::pairs::StepBetween;
-use crate::{Direction, EventError, Integrator, SampleOf};
 
 /// The largest |g| at a start that may be a rounding error of zero, relative to |g| in the first step.
 const START: f64 = 1.0 / (1 << 20) as f64;

@@ -1,8 +1,9 @@
 //! The values of an event function g along a run: [`EventValues`].
 
+use crate::dual::trajectories::integrator::{Integrator, SampleOf};
+use crate::error::IntegrationError;
 use crate::iteration::block_sizes::BlockSizes;
 use crate::runs::partial_step::PartialStep;
-use crate::{IntegrationError, Integrator, SampleOf};
 use core::slice::from_ref;
 use lie_poisson::State;
 use thiserror::Error;

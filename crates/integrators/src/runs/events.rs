@@ -1,7 +1,10 @@
 //! Events along a trajectory, such as Poincaré sections: [`Events`].
 
+use crate::dual::trajectories::integrator::{Integrator, SampleOf};
+use crate::error::IntegrationError;
+use crate::runs::crossing::Direction;
 use crate::runs::event_search::EventSearch;
-use crate::{Direction, EventError, IntegrationError, Integrator, SampleOf};
+use crate::runs::event_values::EventError;
 
 /// An iterator adaptor that returns the points of a trajectory where g(μ) crosses zero.
 ///
@@ -141,7 +144,9 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Direct, RungeKutta, from_fn};
+    use crate::dual::direct::Direct;
+    use crate::schemes::runge_kutta::RungeKutta;
+    use crate::vector_field::from_fn;
     use nalgebra::Vector1;
 
     /// Returns the events of g along x = t, t = 0, 0.25, …, 2, where the method does not round.

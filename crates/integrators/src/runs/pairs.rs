@@ -1,9 +1,9 @@
 //! The crossings within one step, of which there may be two: [`StepBetween`].
 
+use crate::dual::trajectories::integrator::{Integrator, SampleOf};
 use crate::runs::crossing::Crossings;
-use crate::runs::event_values::{Point, have_one_sign};
+use crate::runs::event_values::{EventError, Point, have_one_sign};
 use crate::runs::minimum::Minimum;
-use crate::{EventError, Integrator, SampleOf};
 
 /// The distance from the end of a step, in steps, at which the slope of g is measured.
 const BESIDE: f64 = 1.0 / (1 << 20) as f64;

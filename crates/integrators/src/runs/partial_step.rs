@@ -1,6 +1,9 @@
 //! Steps of partial size between the samples of a trajectory.
 
-use crate::{IntegrationError, Integrator, Sample, SampleOf, Step};
+use crate::dual::trajectories::integrator::{Integrator, SampleOf};
+use crate::dual::trajectories::sample::Sample;
+use crate::error::IntegrationError;
+use crate::schemes::scheme::Step;
 use core::fmt;
 
 /// A step of partial size τ from a sample, which gives the state a time τ after it.

@@ -1,6 +1,7 @@
 //! Steps of explicit Runge–Kutta methods with four stages, for small states: [`four_stages`].
 
-use crate::{Tableau, VectorField};
+use crate::tableaux::tableau::Tableau;
+use crate::vector_field::VectorField;
 use lie_poisson::{Real, State};
 
 /// The size of a state, in bytes, above which there is nothing to gain, and four of them are much for a stack.
@@ -53,7 +54,9 @@ fn moved<V: State, const N: usize>(z: &V, terms: [(f64, &V); N]) -> V {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::four_stages;
-    use crate::{RungeKutta, Scheme, from_fn};
+    use crate::schemes::runge_kutta::RungeKutta;
+    use crate::schemes::scheme::Scheme;
+    use crate::vector_field::from_fn;
     use lie_poisson::{Sites, State};
     use nalgebra::{Vector1, Vector2};
 

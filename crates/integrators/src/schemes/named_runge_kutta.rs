@@ -1,7 +1,10 @@
 //! Runge–Kutta methods that have a name.
 
+use crate::error::SchemeError;
+use crate::schemes::runge_kutta::RungeKutta;
+use crate::step_fractions::substeps::Substeps;
 use crate::tableaux::dop853;
-use crate::{RungeKutta, SchemeError, Substeps, Tableau};
+use crate::tableaux::tableau::Tableau;
 
 impl RungeKutta {
     /// Creates the implicit midpoint rule z₁ = z + h X((z + z₁)/2): order 2, symplectic, symmetric.

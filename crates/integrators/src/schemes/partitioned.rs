@@ -1,14 +1,15 @@
 //! Partitioned Runge–Kutta methods: [`PartitionedRungeKutta`].
 
+use crate::error::{SchemeError, StepError};
 use crate::iteration::stage_scale::StageScale;
-use crate::iteration::stage_solver::{fit, set_combination};
+use crate::iteration::stage_solver::{StageSolver, fit, set_combination};
+use crate::schemes::polarisation::Polarisation;
+use crate::schemes::scheme::{Scheme, Step};
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::tableaux::order_conditions::tree_order;
-use crate::tableaux::tableau::COEFFICIENT_TOLERANCE;
-use crate::{
-    Polarisation, Scheme, SchemeError, StageSolver, Step, StepError, Tableau, VectorField,
-};
+use crate::tableaux::tableau::{COEFFICIENT_TOLERANCE, Tableau};
+use crate::vector_field::VectorField;
 use core::marker::PhantomData;
 use lie_poisson::{Real, State};
 
@@ -273,7 +274,7 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::FirstHalf;
+    use crate::schemes::polarisation::FirstHalf;
 
     /// Stages at the same times are extrapolated from the last step together.
     #[test]

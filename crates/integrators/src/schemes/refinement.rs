@@ -3,7 +3,8 @@
 use crate::iteration::block_sizes::MaskOf;
 use crate::iteration::stage_solver::{fit, set_combination};
 use crate::sums::exact_combination::add_exactly;
-use crate::{Tableau, VectorField};
+use crate::tableaux::tableau::Tableau;
+use crate::vector_field::VectorField;
 use lie_poisson::{Mask, Real, State};
 
 /// The factor by which the rounding error of a stage is enlarged to measure its effect on the field by a difference.

@@ -1,20 +1,25 @@
 //! Runge–Kutta methods: [`RungeKutta`].
 
+use crate::error::StepError;
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::{Ratios, is_finite};
 use crate::iteration::lane_problem::{LaneProblem, Outcome};
 use crate::iteration::stage_rows::{StageColumns, StageRows};
 use crate::iteration::stage_scale::StageScale;
-use crate::iteration::stage_solver::{StageEquations, Unconverged, fit, set_combination};
+use crate::iteration::stage_solver::{
+    StageEquations, StageSolver, Unconverged, fit, set_combination,
+};
 use crate::schemes::explicit_step::four_stages;
 use crate::schemes::refinement::Refinement;
+use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
 use crate::stages::branch::solve_on_branch;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::stages::newton::NewtonSpace;
 use crate::sums::exact_combination::add_exactly;
 use crate::sums::halves::scale_evenly;
-use crate::{Equivariant, Increment, Scheme, StageSolver, Step, StepError, Tableau, VectorField};
+use crate::tableaux::tableau::Tableau;
+use crate::vector_field::VectorField;
 use core::hint::black_box;
 use lie_poisson::{Mask, Pair, Real, State};
 
@@ -365,7 +370,7 @@ impl Scheme for RungeKutta {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::from_fn;
+    use crate::vector_field::from_fn;
     use lie_poisson::Sites;
     use nalgebra::{Vector1, Vector2};
 

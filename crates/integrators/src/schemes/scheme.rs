@@ -1,6 +1,7 @@
 //! The interface of one-step methods: [`Scheme`].
 
-use crate::{StepError, VectorField};
+use crate::error::StepError;
+use crate::vector_field::VectorField;
 use lie_poisson::{Pair, Real, State};
 
 /// The result of a step.

@@ -1,10 +1,12 @@
 //! Composition methods: [`Composition`].
 
-use crate::schemes::scheme::{give, take};
+use crate::dual::trajectories::integrator::Integrator;
+use crate::dual::trajectories::start::Start;
+use crate::error::StepError;
+use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step, give, take};
+use crate::step_fractions::substeps::Substeps;
 use crate::sums::two_sum::add_compensated;
-use crate::{
-    Equivariant, Increment, Integrator, Scheme, Start, Step, StepError, Substeps, VectorField,
-};
+use crate::vector_field::VectorField;
 use lie_poisson::{Pair, Real, State};
 use momentum_map::LiftError;
 

@@ -1,6 +1,7 @@
 //! Orders and step fractions of the flows of a splitting: [`FlowSequence`].
 
-use crate::{AlternatingSubsteps, ExactFlows};
+use crate::splittings::exact_flows::ExactFlows;
+use crate::step_fractions::alternating_substeps::AlternatingSubsteps;
 use lie_poisson::{Real, State};
 
 /// The order in which a [`Splitting`](crate::Splitting) runs its flows, with the fraction of the step for each of them.

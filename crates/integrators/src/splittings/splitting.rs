@@ -1,9 +1,12 @@
 //! Splitting methods from exact flows: [`Splitting`].
 
-use crate::{
-    AlternatingSubsteps, ExactFlows, FlowSequence, Integrator, LieTrotter, StateIsMomentum, Step,
-    StepError, Strang,
-};
+use crate::dual::state_is_momentum::StateIsMomentum;
+use crate::dual::trajectories::integrator::Integrator;
+use crate::error::StepError;
+use crate::schemes::scheme::Step;
+use crate::splittings::exact_flows::ExactFlows;
+use crate::splittings::flow_sequence::{FlowSequence, LieTrotter, Strang};
+use crate::step_fractions::alternating_substeps::AlternatingSubsteps;
 use lie_poisson::{Real, State};
 
 /// The composition of exact flows φ_i(t) in the order of a [`FlowSequence`], each for its fraction of the step:

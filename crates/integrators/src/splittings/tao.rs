@@ -1,6 +1,8 @@
 //! Tao's method in an extended phase space: [`TaoFlows`].
 
-use crate::{ExactFlows, Polarisation, VectorField};
+use crate::schemes::polarisation::Polarisation;
+use crate::splittings::exact_flows::ExactFlows;
+use crate::vector_field::VectorField;
 use core::marker::PhantomData;
 use lie_poisson::{Pair, Real, State};
 

@@ -1,16 +1,17 @@
 //! The solution of stage equations to which short steps lead: [`Branch`].
 
+use crate::error::StepError;
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::unknown;
 use crate::iteration::lane_problem::Outcome;
 use crate::iteration::stage_scale::{Progress, Scale, StageScale, TermScale};
 use crate::iteration::stage_solver::{
-    NEWTON_ITERATIONS, Unconverged, fill_unless, set_combination, sweep,
+    NEWTON_ITERATIONS, StageSolver, Unconverged, fill_unless, set_combination, sweep,
 };
 use crate::stages::flat_state::{FlatField, FlatState};
 use crate::stages::newton::{FieldOn, NewtonSpace, newton_step};
 use crate::stages::terms::{cancels, terms};
-use crate::{StageSolver, StepError, Tableau};
+use crate::tableaux::tableau::Tableau;
 use lie_poisson::{Mask, Real, State};
 
 /// The multiple of the first change of Newton's iteration to which its changes add up where it contracts at once.
@@ -263,7 +264,10 @@ impl<T: Real> Branch<'_, T> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{RungeKutta, Scheme, StepError, from_fn};
+    use crate::error::StepError;
+    use crate::schemes::runge_kutta::RungeKutta;
+    use crate::schemes::scheme::Scheme;
+    use crate::vector_field::from_fn;
     use nalgebra::{Vector1, Vector3};
 
     /// Makes a midpoint step of the given size from x.

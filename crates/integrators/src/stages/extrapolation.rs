@@ -125,7 +125,7 @@ pub fn lagrange_polynomial(nodes: &[f64], index: usize, x: f64) -> f64 {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::Tableau;
+    use crate::tableaux::tableau::Tableau;
 
     /// The stage derivatives of the step with the number n: a polynomial of the time of some degree, and at each stage
     /// an error that is a power of n.

@@ -1,7 +1,7 @@
 //! A state whose dimension and blocks are known only when the program runs: [`FlatState`].
 
-use crate::VectorField;
 use crate::stages::newton::FieldOn;
+use crate::vector_field::VectorField;
 use lie_poisson::{Real, State};
 use std::sync::Arc;
 
@@ -131,7 +131,7 @@ impl<V: State> VectorField<V::Scalar> for FlatField<'_, V> {
 #[cfg(test)]
 mod tests {
     use super::{FlatField, FlatState};
-    use crate::{VectorField, from_fn};
+    use crate::vector_field::{VectorField, from_fn};
     use lie_poisson::{Pair, Sites, State, Vector};
     use nalgebra::{Vector1, Vector2};
 

@@ -4,11 +4,11 @@ use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::{ROUND_OFF, Ratios, unknown};
 use crate::iteration::stage_scale::Scale;
 use crate::iteration::stage_solver::{
-    StageEquations, Unconverged, fill_unless, fit, set_combination,
+    StageEquations, StageSolver, Unconverged, fill_unless, fit, set_combination,
 };
 use crate::stage_frame::StageFrame;
 use crate::stages::extrapolation::Predictor;
-use crate::{StageSolver, VectorField};
+use crate::vector_field::VectorField;
 use lie_poisson::{Mask, Real, State};
 
 /// The largest multiple of the last stage derivatives that a prediction may have.
@@ -311,7 +311,7 @@ pub(crate) fn near<V: State>(a: &V, b: &V) -> MaskOf<V> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::StepError;
+    use crate::error::StepError;
 
     /// The iterations of both attempts count, whatever becomes of the second.
     #[test]

@@ -1,8 +1,8 @@
 //! Vector fields that are known over SIMD lanes: [`LaneField`].
 
-use crate::VectorField;
 use crate::iteration::lane_problem::{LaneProblem, Outcome};
 use crate::stage_frame::StageFrame;
+use crate::vector_field::VectorField;
 use lie_poisson::{
     InstructionSet, Lanes, StorageOver, TaskOver, UnfusedSpace, UnfusedTask, Vector,
     dispatch_unfused,

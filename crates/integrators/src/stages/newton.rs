@@ -3,7 +3,8 @@
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::stage_scale::Progress;
 use crate::iteration::stage_solver::set_combination;
-use crate::{Tableau, VectorField};
+use crate::tableaux::tableau::Tableau;
+use crate::vector_field::VectorField;
 use lie_poisson::{Mask, Real, State, solve_linear};
 
 /// The storage of Newton's iteration, empty until a step first needs it.

@@ -3,10 +3,10 @@
 use crate::iteration::block_sizes::MaskOf;
 use crate::iteration::convergence::unknown;
 use crate::iteration::stage_scale::OwnScale;
-use crate::iteration::stage_solver::StageEquations;
+use crate::iteration::stage_solver::{StageEquations, StageSolver, Unconverged};
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
-use crate::{StageSolver, Unconverged, from_fn};
+use crate::vector_field::from_fn;
 use lie_poisson::{Mask, Real, State};
 
 /// The memory of earlier steps for an integrator that has its own stage equations k_i = f_i(k).

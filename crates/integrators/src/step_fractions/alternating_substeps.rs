@@ -1,8 +1,8 @@
 //! The coefficients a, b of splittings into two parts: [`AlternatingSubsteps`].
 
+use crate::error::SchemeError;
 use crate::step_fractions::alternating_conditions::{nystrom_order, order_of_words};
-use crate::step_fractions::substeps::{COEFFICIENT_TOLERANCE, require_unit_sum};
-use crate::{SchemeError, Substeps};
+use crate::step_fractions::substeps::{COEFFICIENT_TOLERANCE, Substeps, require_unit_sum};
 
 /// The fractions of a step for which the flows φ_1 and φ_2 of two parts alternate:
 ///

@@ -1,6 +1,6 @@
 //! The coefficients of named composition methods.
 
-use crate::Substeps;
+use crate::step_fractions::substeps::Substeps;
 
 impl Substeps {
     /// Creates the 3 substeps of order 4 of Yoshida: the triple jump from order 2.

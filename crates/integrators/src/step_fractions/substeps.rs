@@ -1,6 +1,6 @@
 //! The coefficients γ of composition methods: [`Substeps`].
 
-use crate::SchemeError;
+use crate::error::SchemeError;
 use crate::step_fractions::composition_conditions::order_over;
 
 /// The largest difference of fractions at mirrored places, and of their sum from 1, that counts as rounding.

@@ -1,6 +1,7 @@
 //! Symplectic diagonally implicit Runge–Kutta methods.
 
-use crate::{SchemeError, Tableau};
+use crate::error::SchemeError;
+use crate::tableaux::tableau::Tableau;
 
 impl Tableau {
     /// Creates the symplectic diagonally implicit method with weights b:
@@ -33,7 +34,7 @@ impl Tableau {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Substeps;
+    use crate::step_fractions::substeps::Substeps;
 
     #[test]
     fn two_computations_of_the_order_agree() {

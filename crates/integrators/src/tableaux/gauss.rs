@@ -1,6 +1,7 @@
 //! The coefficients of Gauss–Legendre collocation, in double-double arithmetic.
 
-use crate::{SchemeError, Tableau};
+use crate::error::SchemeError;
+use crate::tableaux::tableau::Tableau;
 use twofloat::TwoFloat;
 
 impl Tableau {

@@ -1,6 +1,7 @@
 //! The coefficients of Lobatto collocation.
 
-use crate::{SchemeError, Tableau};
+use crate::error::SchemeError;
+use crate::tableaux::tableau::Tableau;
 
 impl Tableau {
     /// Creates Lobatto IIIA with s = 2, 3 or 4 stages: collocation at Lobatto's nodes, order 2s − 2.

@@ -84,7 +84,8 @@ fn simplified_order(a: &[f64], b: &[f64], c: &[f64]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use crate::{RungeKutta, Tableau};
+    use crate::schemes::runge_kutta::RungeKutta;
+    use crate::tableaux::tableau::Tableau;
 
     #[test]
     fn orders_are_computed() {

@@ -1,6 +1,8 @@
 //! The semiexplicit method of Jayawardana and Ohsawa, in its form as a Runge–Kutta method.
 
-use crate::{SchemeError, Substeps, Tableau};
+use crate::error::SchemeError;
+use crate::step_fractions::substeps::Substeps;
+use crate::tableaux::tableau::Tableau;
 
 impl Tableau {
     /// Creates the semiexplicit symplectic method for Hamiltonians that do not separate.

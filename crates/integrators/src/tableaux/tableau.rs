@@ -1,6 +1,7 @@
 //! Butcher tableaux: [`Tableau`].
 
-use crate::{SchemeError, tableaux::order_conditions::order_of};
+use crate::error::SchemeError;
+use crate::tableaux::order_conditions::order_of;
 
 /// The largest value of a computed algebraic condition on rounded coefficients that counts as zero.
 ///
@@ -219,7 +220,8 @@ fn part(entries: &[f64], i: usize, stages: usize) -> &[f64] {
 
 #[cfg(test)]
 mod tests {
-    use crate::{SchemeError, Tableau};
+    use crate::error::SchemeError;
+    use crate::tableaux::tableau::Tableau;
 
     #[test]
     fn low_parts_of_another_shape_are_refused() {

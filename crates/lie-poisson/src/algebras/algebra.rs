@@ -1,6 +1,6 @@
 //! The trait of Lie algebras: [`LieAlgebra`].
 
-use crate::{Covector, Real, Vector};
+use generic_scalars::{Covector, Real, Vector};
 
 /// A momentum μ ∈ 𝔤∗ over the scalar `T`.
 pub type Momentum<A, T = f64> = Covector<<A as LieAlgebra>::Element<T>>;

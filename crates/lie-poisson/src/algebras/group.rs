@@ -1,6 +1,7 @@
 //! The trait of Lie groups: [`LieGroup`].
 
-use crate::{LieAlgebra, Momentum, Real, Vector};
+use crate::algebras::algebra::{LieAlgebra, Momentum};
+use generic_scalars::{Real, Vector};
 
 /// An element ξ ∈ 𝔤 of the Lie algebra of a group, over the scalar `T`.
 pub type AlgebraElement<G, T = f64> = <<G as LieGroup>::Algebra as LieAlgebra>::Element<T>;

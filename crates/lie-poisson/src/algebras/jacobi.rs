@@ -1,6 +1,6 @@
 //! The Jacobi identity for a table of structure constants of any size.
 
-use crate::larger;
+use generic_scalars::larger;
 
 /// The brackets of the basis vectors, in numbers whose products do not overflow.
 pub(crate) struct Brackets {

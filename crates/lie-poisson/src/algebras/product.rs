@@ -1,6 +1,8 @@
 //! Direct products 𝔤 × 𝔥 and G × H, and powers 𝔤ᴺ and Gᴺ.
 
-use crate::{AlgebraElement, Covector, LieAlgebra, LieGroup, Momentum, Pair, Power, Real};
+use crate::algebras::algebra::{LieAlgebra, Momentum};
+use crate::algebras::group::{AlgebraElement, LieGroup};
+use generic_scalars::{Covector, Pair, Power, Real};
 
 /// The direct product 𝔤 × 𝔥 of Lie algebras: [(ξ,η), (ξ′,η′)] = ([ξ,ξ′], [η,η′]).
 ///

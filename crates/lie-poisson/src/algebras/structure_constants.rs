@@ -1,7 +1,8 @@
 //! Lie algebras from a table of structure constants: [`StructureConstants`].
 
+use crate::algebras::algebra::LieAlgebra;
 use crate::algebras::jacobi::Brackets;
-use crate::{Covector, LieAlgebra, Real, larger};
+use generic_scalars::{Covector, Real, larger};
 use nalgebra::SVector;
 use std::sync::Arc;
 use thiserror::Error;

@@ -1,9 +1,16 @@
 //! Casimir functions of Lie–Poisson brackets: [`Casimirs`].
 
-use crate::{
-    Covector, DualNumber, LieAlgebra, Momentum, PowerAlgebra, ProductAlgebra, Real, RealSpace,
-    SU2OnC2, Se2, Se3, SemidirectAlgebra, Sl2, So2, So3, Su2, UnitaryAlgebra, Vector, differential,
-};
+use crate::algebras::algebra::{LieAlgebra, Momentum};
+use crate::algebras::product::{PowerAlgebra, ProductAlgebra};
+use crate::groups::sl2::Sl2;
+use crate::groups::so2::So2;
+use crate::groups::so3::So3;
+use crate::groups::su2::Su2;
+use crate::groups::unitary::UnitaryAlgebra;
+use crate::representations::euclidean::{Se2, Se3};
+use crate::representations::semidirect::SemidirectAlgebra;
+use crate::representations::unitary_matrices::SU2OnC2;
+use generic_scalars::{Covector, DualNumber, Real, RealSpace, Vector, differential};
 use nalgebra::SMatrix;
 use num_complex::Complex;
 

@@ -1,9 +1,8 @@
 //! Hamiltonians and their exact differentials: [`Hamiltonian`], [`Energy`].
 
-use crate::{
-    Differential, DualNumber, Point, PoissonSpace, Real, derivative_part, differential, seed,
-};
+use crate::brackets::poisson::PoissonSpace;
 use core::marker::PhantomData;
+use generic_scalars::{Differential, DualNumber, Point, Real, derivative_part, differential, seed};
 
 /// A function h: P → R with its differential, over the scalar `T`.
 ///

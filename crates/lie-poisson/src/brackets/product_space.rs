@@ -1,8 +1,8 @@
 //! Products and powers of Poisson spaces.
 
-use crate::{
-    Covector, Differential, Pair, Point, PoissonSpace, Power, Real, Vector, VectorSpace,
-    map_coordinates,
+use crate::brackets::poisson::PoissonSpace;
+use generic_scalars::{
+    Covector, Differential, Pair, Point, Power, Real, Vector, VectorSpace, map_coordinates,
 };
 
 /// The product P × Q of Poisson spaces with the sum of the two brackets; functions of different factors

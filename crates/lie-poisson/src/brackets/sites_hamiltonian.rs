@@ -1,6 +1,6 @@
 //! Hamiltonians of N copies of a small space, with N known only when the program runs: [`SitesHamiltonian`].
 
-use crate::{Covector, Sites, Vector};
+use generic_scalars::{Covector, Sites, Vector};
 
 /// A function h on N copies of the dual 𝔤∗ of one Lie algebra, with N known only when the program runs.
 ///

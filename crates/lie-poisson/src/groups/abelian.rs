@@ -1,6 +1,8 @@
 //! The space R^N as an abelian Lie algebra and as a Lie group.
 
-use crate::{LieAlgebra, LieGroup, Real, RealSpace, Vector};
+use crate::algebras::algebra::LieAlgebra;
+use crate::algebras::group::LieGroup;
+use generic_scalars::{Real, RealSpace, Vector};
 use nalgebra::SVector;
 
 /// The abelian Lie algebra R^N, with [ξ, η] = 0.

@@ -1,6 +1,8 @@
 //! The Lie algebra sl(2, R) ≅ so(2, 1) and the group SL(2, R).
 
-use crate::{Covector, LieAlgebra, LieGroup, Real};
+use crate::algebras::algebra::LieAlgebra;
+use crate::algebras::group::LieGroup;
+use generic_scalars::{Covector, Real};
 use nalgebra::{Matrix2, Vector3};
 
 /// The Lie algebra sl(2, R) of traceless matrices, ξ = [a b; c −a] with coordinates (a, b, c).

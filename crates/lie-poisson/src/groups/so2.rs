@@ -1,6 +1,8 @@
 //! The Lie algebra so(2) and the group SO(2).
 
-use crate::{LieAlgebra, LieGroup, Real, Vector};
+use crate::algebras::algebra::LieAlgebra;
+use crate::algebras::group::LieGroup;
+use generic_scalars::{Real, Vector};
 use nalgebra::{Matrix2, Vector1};
 
 /// The abelian Lie algebra so(2) ≅ R, in which ω stands for the matrix [0 −ω; ω 0].

@@ -1,6 +1,8 @@
 //! The Lie algebra so(3) and the rotation group SO(3).
 
-use crate::{Covector, LieAlgebra, LieGroup, Real, cross};
+use crate::algebras::algebra::LieAlgebra;
+use crate::algebras::group::LieGroup;
+use generic_scalars::{Covector, Real, cross};
 use nalgebra::{Matrix3, Vector3};
 
 /// The Lie algebra so(3) ≅ R³ with [ξ, η] = ξ × η.

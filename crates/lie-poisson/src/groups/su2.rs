@@ -1,6 +1,9 @@
 //! The Lie algebra su(2) and the group SU(2).
 
-use crate::{Covector, LieAlgebra, LieGroup, Real, SO3, So3};
+use crate::algebras::algebra::LieAlgebra;
+use crate::algebras::group::LieGroup;
+use crate::groups::so3::{SO3, So3};
+use generic_scalars::{Covector, Real};
 use nalgebra::{Matrix2, Matrix3, Vector3};
 use num_complex::Complex;
 

@@ -1,7 +1,9 @@
 //! The Lie algebra u(N) and the group U(N).
 
-use crate::{Covector, LieAlgebra, LieGroup, Real, Vector, state_by_value};
+use crate::algebras::algebra::LieAlgebra;
+use crate::algebras::group::LieGroup;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
+use generic_scalars::{Covector, Real, Vector, state_by_value};
 use nalgebra::SMatrix;
 use num_complex::Complex;
 

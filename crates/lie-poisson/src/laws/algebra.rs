@@ -1,7 +1,8 @@
 //! The law suite of [`LieAlgebra`].
 
 use super::{Faulty, NoSamples, Report, regimes};
-use crate::{LieAlgebra, Momentum, Real, Vector, larger, map_coordinates};
+use crate::algebras::algebra::{LieAlgebra, Momentum};
+use generic_scalars::{Real, Vector, larger, map_coordinates};
 
 /// Evaluates the laws of a Lie algebra on samples of its elements.
 ///

@@ -1,6 +1,6 @@
 //! The negative control of the law suites: [`Faulty`].
 
-use crate::{Real, State};
+use generic_scalars::{Real, State};
 
 /// An object with a fault in the result of one method: a negative control, which a law suite must refuse.
 ///

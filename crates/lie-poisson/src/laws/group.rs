@@ -1,10 +1,10 @@
 //! The law suites of [`LieGroup`] and [`Cayley`].
 
 use super::{NoSamples, Report, regimes};
-use crate::{
-    AlgebraElement, Cayley, DualNumber, GroupMomentum, LieAlgebra, LieGroup, Vector,
-    derivative_part, map_coordinates,
-};
+use crate::algebras::algebra::LieAlgebra;
+use crate::algebras::group::{AlgebraElement, GroupMomentum, LieGroup};
+use crate::cayley::Cayley;
+use generic_scalars::{DualNumber, Vector, derivative_part, map_coordinates};
 
 type Dual<G> = AlgebraElement<G, DualNumber>;
 

@@ -1,9 +1,13 @@
 //! The law suites of [`Hamiltonian`] and of Hamiltonians of N sites.
 
 use super::{Faulty, NEAR, NoSamples, Report, regimes};
-use crate::{
-    Covector, Differential, DualNumber, Hamiltonian, LieAlgebra, Point, PoissonSpace, Real, Sites,
-    SitesHamiltonian, State, Vector, derivative_part, differential, larger, seed,
+use crate::algebras::algebra::LieAlgebra;
+use crate::brackets::hamiltonian::Hamiltonian;
+use crate::brackets::poisson::PoissonSpace;
+use crate::brackets::sites_hamiltonian::SitesHamiltonian;
+use generic_scalars::{
+    Covector, Differential, DualNumber, Point, Real, Sites, State, Vector, derivative_part,
+    differential, larger, seed,
 };
 
 /// Evaluates the laws of a Hamiltonian on samples of points, with exact derivatives by dual numbers:

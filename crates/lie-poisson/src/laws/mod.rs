@@ -33,7 +33,7 @@ pub use hamiltonian::{hamiltonian, sites_hamiltonian};
 pub use poisson::{casimirs, poisson_space};
 pub use representation::{group_representation, representation};
 
-use crate::{Vector, larger};
+use generic_scalars::{Vector, larger};
 use thiserror::Error;
 
 /// The error returned if a law suite is given no samples.

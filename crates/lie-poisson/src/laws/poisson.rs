@@ -1,7 +1,10 @@
 //! The law suites of [`PoissonSpace`] and [`Casimirs`].
 
 use super::{Faulty, NoSamples, Report, regimes};
-use crate::{Casimirs, DualNumber, Momentum, Point, PoissonSpace, Real, Vector, larger, seed};
+use crate::algebras::algebra::Momentum;
+use crate::brackets::casimirs::Casimirs;
+use crate::brackets::poisson::PoissonSpace;
+use generic_scalars::{DualNumber, Point, Real, Vector, larger, seed};
 use nalgebra::DMatrix;
 
 /// Returns max |entry|, and unlike `amax`, NaN if an entry is NaN.

@@ -1,10 +1,12 @@
 //! The law suites of [`Representation`] and [`GroupRepresentation`].
 
 use super::{NoSamples, Report, regimes};
-use crate::{
-    Covector, DualNumber, GroupRepresentation, LieAlgebra, LieGroup, Representation,
-    RepresentedElement, Vector, derivative_part, map_coordinates,
+use crate::algebras::algebra::LieAlgebra;
+use crate::algebras::group::LieGroup;
+use crate::representations::representation::{
+    GroupRepresentation, Representation, RepresentedElement,
 };
+use generic_scalars::{Covector, DualNumber, Vector, derivative_part, map_coordinates};
 
 /// Evaluates the laws of a representation on samples of 𝔤 and V.
 ///

@@ -1,9 +1,8 @@
 //! Cocycles of a Lie algebra with values in a representation: [`Cocycle`].
 
-use crate::{
-    Covector, LieAlgebra, Momentum, Real, Representation, RepresentedElement, Vector, larger,
-    squaring_scale,
-};
+use crate::algebras::algebra::{LieAlgebra, Momentum};
+use crate::representations::representation::{Representation, RepresentedElement};
+use generic_scalars::{Covector, Real, Vector, larger, squaring_scale};
 use nalgebra::{DMatrix, DVector, Vector1};
 use std::sync::Arc;
 use thiserror::Error;

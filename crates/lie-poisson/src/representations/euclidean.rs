@@ -1,6 +1,8 @@
 //! The Euclidean groups SE(2) and SE(3) with their Lie algebras.
 
-use crate::{Covector, Pair, SO2OnR2, SO3OnR3, SemidirectAlgebra, SemidirectGroup};
+use crate::representations::real_matrices::{SO2OnR2, SO3OnR3};
+use crate::representations::semidirect::{SemidirectAlgebra, SemidirectGroup};
+use generic_scalars::{Covector, Pair};
 use nalgebra::Vector3;
 
 /// The Lie algebra se(2) = so(2) ⋉ R².

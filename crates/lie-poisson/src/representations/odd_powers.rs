@@ -1,7 +1,8 @@
 //! A test whether the odd powers of the matrices of a representation belong to it: [`odd_power_defect`].
 
 use crate::representations::cocycle::matrix;
-use crate::{Real, Representation, Vector, larger};
+use crate::representations::representation::Representation;
+use generic_scalars::{Real, Vector, larger};
 use nalgebra::{DMatrix, DVector};
 
 /// The ratio of two singular values below which the smaller one is a rounding error.

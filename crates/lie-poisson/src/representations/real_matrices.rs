@@ -1,8 +1,10 @@
 //! The defining representations of the classical groups of real matrices.
 
-use crate::{
-    Covector, GroupRepresentation, Real, Representation, SL2, SO2, SO3, Sl2, So2, So3, cross,
-};
+use crate::groups::sl2::{SL2, Sl2};
+use crate::groups::so2::{SO2, So2};
+use crate::groups::so3::{SO3, So3};
+use crate::representations::representation::{GroupRepresentation, Representation};
+use generic_scalars::{Covector, Real, cross};
 use nalgebra::{Matrix2, Matrix3, Vector1, Vector2, Vector3};
 
 /// The representation of SO(3) on R³ by rotation: ξ v = ξ × v.

@@ -1,6 +1,8 @@
 //! The traits of linear representations: [`Representation`], [`GroupRepresentation`].
 
-use crate::{AlgebraElement, Covector, LieAlgebra, LieGroup, Momentum, Real, Vector};
+use crate::algebras::algebra::{LieAlgebra, Momentum};
+use crate::algebras::group::{AlgebraElement, LieGroup};
+use generic_scalars::{Covector, Real, Vector};
 
 /// An element ξ ∈ 𝔤 of the represented algebra, over the scalar `T`.
 pub type RepresentedElement<R, T = f64> =

@@ -1,9 +1,11 @@
 //! Semidirect products 𝔤 ⋉ V and G ⋉ V, from any representation.
 
-use crate::{
-    AlgebraElement, Covector, GroupRepresentation, LieAlgebra, LieGroup, Pair, Real,
-    Representation, RepresentedElement, Vector,
+use crate::algebras::algebra::LieAlgebra;
+use crate::algebras::group::{AlgebraElement, LieGroup};
+use crate::representations::representation::{
+    GroupRepresentation, Representation, RepresentedElement,
 };
+use generic_scalars::{Covector, Pair, Real, Vector};
 
 /// An element (ξ, φ) ∈ 𝔤 ⋉ V of a semidirect product, over the scalar `T`.
 type Element<R, T> = Pair<RepresentedElement<R, T>, <R as Representation>::Space<T>>;

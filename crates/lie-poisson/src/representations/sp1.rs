@@ -1,9 +1,9 @@
 //! The group Sp(1) of unit quaternions and its action on quaternions.
 
-use crate::{
-    Covector, GroupRepresentation, LieGroup, Power, Quaternion, Real, Representation, Su2, Vector,
-    VectorSpace,
-};
+use crate::algebras::group::LieGroup;
+use crate::groups::su2::Su2;
+use crate::representations::representation::{GroupRepresentation, Representation};
+use generic_scalars::{Covector, Power, Quaternion, Real, Vector, VectorSpace};
 use nalgebra::Vector3;
 
 /// The space H^N as a real vector space of dimension 4N, with ⟨p, q⟩ = Re Σ conj(p) q.

@@ -1,9 +1,9 @@
 //! The defining representations of the unitary groups.
 
-use crate::{
-    Covector, GroupRepresentation, Real, Representation, SU2, SkewHermitian, Su2, UnitaryAlgebra,
-    UnitaryGroup, Vector,
-};
+use crate::groups::su2::{SU2, Su2};
+use crate::groups::unitary::{SkewHermitian, UnitaryAlgebra, UnitaryGroup};
+use crate::representations::representation::{GroupRepresentation, Representation};
+use generic_scalars::{Covector, Real, Vector};
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2, Vector3};
 use num_complex::Complex;
 

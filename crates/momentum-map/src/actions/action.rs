@@ -1,6 +1,6 @@
 //! Actions of Lie groups on vector spaces: [`GroupAction`].
 
-use crate::Cotangent;
+use crate::phase_spaces::cotangent::Cotangent;
 use lie_poisson::{
     AlgebraElement, DualNumber, GroupMomentum, LieGroup, Point, Real, Sign, Vector, VectorSpace,
     derivative_part, map_coordinates, transposed_tangent,

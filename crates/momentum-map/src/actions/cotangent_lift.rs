@@ -1,6 +1,7 @@
 //! The cotangent lift of an action: [`CotangentLift`].
 
-use crate::{ActingElement, ActionPoint, Cotangent, CotangentBundle, Generator, GroupAction, Side};
+use crate::actions::action::{ActingElement, ActionPoint, Generator, GroupAction, Side};
+use crate::phase_spaces::cotangent::{Cotangent, CotangentBundle};
 use lie_poisson::{DualNumber, LieGroup, Real, map_coordinates, transposed_tangent};
 
 /// The cotangent lift of an action on Q to T∗Q, derived from the action:

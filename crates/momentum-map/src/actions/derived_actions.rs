@@ -1,6 +1,7 @@
 //! Actions made from other actions: [`Opposite`], [`ProductAction`].
 
-use crate::{ActingElement, ActionPoint, Cotangent, Generator, GroupAction, Side};
+use crate::actions::action::{ActingElement, ActionPoint, Generator, GroupAction, Side};
+use crate::phase_spaces::cotangent::Cotangent;
 use lie_poisson::{
     GroupMomentum, LieGroup, Pair, ProductGroup, ProductSpace, Real, Vector, from_parts, parts,
 };

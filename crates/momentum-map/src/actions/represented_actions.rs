@@ -1,6 +1,7 @@
 //! Actions that come from representations: [`LinearAction`], [`AffineAction`].
 
-use crate::{ActingElement, Cotangent, Generator, GroupAction, Side};
+use crate::actions::action::{ActingElement, Generator, GroupAction, Side};
+use crate::phase_spaces::cotangent::Cotangent;
 use lie_poisson::{
     Covector, GroupMomentum, GroupRepresentation, Pair, Real, Representation, SemidirectGroup,
     VectorSpace,

@@ -1,6 +1,8 @@
 //! Clebsch maps T∗V → 𝔤∗: [`ClebschMap`].
 
-use crate::{CotangentRepresentation, QuadraticMomentumMap, Side};
+use crate::actions::action::Side;
+use crate::clebsch::cotangent_representation::CotangentRepresentation;
+use crate::maps::quadratic_momentum_map::QuadraticMomentumMap;
 use lie_poisson::Representation;
 
 /// The Clebsch map of a representation of 𝔤 on V, the momentum map T∗V → 𝔤∗ of the lifted action:

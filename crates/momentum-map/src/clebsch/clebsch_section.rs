@@ -1,11 +1,13 @@
 //! Lifts of Clebsch maps: [`ClebschSection`].
 
 use super::search::{ACCEPTED, Search};
+use crate::actions::action::Side;
+use crate::clebsch::clebsch_map::{ClebschMap, clebsch_map};
+use crate::maps::fibre::LiftError;
+use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetPoint};
 use crate::maps::recentring::{Both, Far, RecentringSpace, Sizes, within};
-use crate::{
-    ClebschMap, Cotangent, Fibres, LiftError, PoissonMap, Realisation, SectionOf, Side,
-    SourcePoint, TargetPoint, clebsch_map,
-};
+use crate::phase_spaces::cotangent::Cotangent;
+use crate::realisations::{Fibres, Realisation, SectionOf};
 use lie_poisson::{
     DualNumber, Mask, Pair, Real, Representation, RepresentedElement, Vector, euclidean_norm,
     nearest_power_of_two,

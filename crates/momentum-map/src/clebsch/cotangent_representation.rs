@@ -1,7 +1,7 @@
 //! The symplectic representation on T∗V: [`CotangentRepresentation`].
 
-use crate::maps::symplectic_representation::ODD_POWER_TOLERANCE;
-use crate::{Cotangent, SymplecticRepresentation};
+use crate::maps::symplectic_representation::{ODD_POWER_TOLERANCE, SymplecticRepresentation};
+use crate::phase_spaces::cotangent::Cotangent;
 use lie_poisson::{Covector, Momentum, Real, Representation, RepresentedElement, odd_power_defect};
 
 /// The lift of a representation of 𝔤 on V to T∗V = V × V∗: ξ (q, p) = (ξq, −ξᵀp).

@@ -1,7 +1,8 @@
 //! The search for a point (q, p) with a given image under a Clebsch map.
 
 use super::equations::{PseudoInverse, least_solution};
-use crate::{Cotangent, LiftError};
+use crate::maps::fibre::LiftError;
+use crate::phase_spaces::cotangent::Cotangent;
 use lie_poisson::{Mask, Real, Representation, RepresentedElement, Vector, larger};
 use nalgebra::DMatrix;
 

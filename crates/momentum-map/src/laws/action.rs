@@ -1,10 +1,11 @@
 //! The law suites of [`GroupAction`], of cotangent lifts and of their momentum maps.
 
 use super::{NoSamples, Report, regimes};
-use crate::{
-    ActingElement, ActionPoint, Cotangent, CotangentLift, Generator, GroupAction, MomentumMap,
-    PoissonMap, Side,
-};
+use crate::actions::action::{ActingElement, ActionPoint, Generator, GroupAction, Side};
+use crate::actions::cotangent_lift::CotangentLift;
+use crate::maps::momentum_map::MomentumMap;
+use crate::maps::poisson_map::PoissonMap;
+use crate::phase_spaces::cotangent::Cotangent;
 use lie_poisson::{
     DualNumber, LieAlgebra, LieGroup, Vector, derivative_part, map_coordinates, seed,
 };

@@ -1,7 +1,8 @@
 //! The law suites of [`FibreSymmetry`] and [`Lift`].
 
 use super::{Faulty, NoSamples, Report, regimes};
-use crate::{FibreSymmetry, Lift, LiftError, SourcePoint, TargetPoint};
+use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
+use crate::maps::poisson_map::{SourcePoint, TargetPoint};
 use lie_poisson::{
     DualNumber, PoissonSpace, Real, Vector, derivative_part, differential, map_coordinates,
 };

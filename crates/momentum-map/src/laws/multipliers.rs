@@ -1,7 +1,7 @@
 //! The law suite of [`Multipliers`].
 
 use super::{NoSamples, Report, regimes};
-use crate::{Multiplier, Multipliers};
+use crate::multipliers::multiplier::{Multiplier, Multipliers};
 use lie_poisson::{
     Differential, DualNumber, Point, PoissonSpace, Vector, derivative_part, map_coordinates, seed,
 };
@@ -145,7 +145,7 @@ fn exponential<M: Multipliers>(multipliers: &M, xi: &Differential<M::Space>) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Quaternions;
+    use crate::multipliers::quaternions::Quaternions;
     use nalgebra::Vector3;
 
     /// The series is summed for a small vector, however large the turn is.

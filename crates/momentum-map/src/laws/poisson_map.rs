@@ -1,9 +1,9 @@
 //! The law suites of [`PoissonMap`] and of symplectic spaces.
 
 use super::{Faulty, NoSamples, Report, regimes};
-use crate::{
-    PoissonMap, RecentringSpace, SourcePoint, SymplecticSpace, TargetDifferential, TargetPoint,
-};
+use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
+use crate::maps::recentring::RecentringSpace;
+use crate::phase_spaces::symplectic::SymplecticSpace;
 use lie_poisson::{
     Differential, DualNumber, Point, PoissonSpace, Real, Vector, transposed_tangent,
 };

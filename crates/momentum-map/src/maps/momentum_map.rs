@@ -1,11 +1,10 @@
 //! The momentum map of a cotangent-lifted action: [`MomentumMap`].
 
-use crate::maps::poisson_map::TargetDifferential;
+use crate::actions::action::{ActionPoint, Generator, GroupAction};
+use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
 use crate::maps::symplectic_representation::ODD_POWER_TOLERANCE;
-use crate::{
-    ActionPoint, CotangentBundle, Generator, GroupAction, PoissonMap, SourcePoint, SymplecticSpace,
-    TargetPoint,
-};
+use crate::phase_spaces::cotangent::CotangentBundle;
+use crate::phase_spaces::symplectic::SymplecticSpace;
 use lie_poisson::{Differential, LieGroup, LiePoisson, Real, Vector, larger, odd_power_defect_of};
 use nalgebra::DMatrix;
 

@@ -1,7 +1,8 @@
 //! The momentum maps of linear symplectic actions: [`QuadraticMomentumMap`].
 
-use crate::maps::poisson_map::TargetDifferential;
-use crate::{PoissonMap, Side, SourcePoint, Symplectic, SymplecticRepresentation, TargetPoint};
+use crate::actions::action::Side;
+use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
+use crate::maps::symplectic_representation::{Symplectic, SymplecticRepresentation};
 use lie_poisson::{Differential, LiePoisson, Real, Vector};
 
 /// The momentum map of a linear symplectic action, derived from its representation:

@@ -1,6 +1,6 @@
 //! Linear symplectic actions: [`SymplecticRepresentation`], [`Symplectic`].
 
-use crate::{SymplecticComplexSpace, SymplecticSpace};
+use crate::phase_spaces::symplectic::{SymplecticComplexSpace, SymplecticSpace};
 use lie_poisson::{
     Covector, Diagonal, Momentum, Pair, PoissonSpace, Power, Real, Representation,
     RepresentedElement, SL2OnR2, SU2OnC2, So3, Sum, UnitaryOnComplexSpace, Vector, VectorSpace,

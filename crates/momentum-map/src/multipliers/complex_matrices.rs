@@ -1,6 +1,6 @@
 //! Complex matrices as multipliers: [`ComplexMatrices`].
 
-use crate::Multipliers;
+use crate::multipliers::multiplier::Multipliers;
 use lie_poisson::{Covector, LiePoisson, Real, SkewHermitian, UnitaryAlgebra};
 use nalgebra::SMatrix;
 use num_complex::Complex;

@@ -1,6 +1,6 @@
 //! Dual quaternions as multipliers: [`DualQuaternions`].
 
-use crate::Multipliers;
+use crate::multipliers::multiplier::Multipliers;
 use lie_poisson::{
     Covector, LiePoisson, Pair, Quaternion, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra, Vector,
     cross, dot,

@@ -1,6 +1,6 @@
 //! Powers of an algebra of multipliers: [`PowerMultipliers`].
 
-use crate::Multipliers;
+use crate::multipliers::multiplier::Multipliers;
 use lie_poisson::{Covector, LieAlgebra, LiePoisson, Point, Power, PowerAlgebra, Real};
 
 /// The N-th power 𝔄ᴺ of an algebra of multipliers, for example for N spins: (Q B)_n = Q_n B_n, transport(Q, μ)_n =

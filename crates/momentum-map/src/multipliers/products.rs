@@ -1,6 +1,6 @@
 //! Products of algebras of multipliers: [`ProductMultipliers`].
 
-use crate::Multipliers;
+use crate::multipliers::multiplier::Multipliers;
 use lie_poisson::{Differential, Pair, Point, ProductSpace, Real, parts};
 
 /// The product 𝔄 × 𝔅 of two algebras of multipliers: (Q, R)(B, C) = (QB, RC), and each factor acts on its own part of μ.

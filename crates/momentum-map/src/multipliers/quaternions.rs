@@ -1,6 +1,6 @@
 //! Quaternions as multipliers: [`Quaternions`].
 
-use crate::Multipliers;
+use crate::multipliers::multiplier::Multipliers;
 use lie_poisson::{Covector, LiePoisson, Quaternion, Real, So3, Vector};
 use nalgebra::Vector3;
 

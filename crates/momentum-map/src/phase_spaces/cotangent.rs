@@ -1,6 +1,6 @@
 //! Cotangent bundles of vector spaces: [`CotangentBundle`].
 
-use crate::SymplecticSpace;
+use crate::phase_spaces::symplectic::SymplecticSpace;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 use lie_poisson::{
     Covector, Differential, Point, PoissonSpace, Real, Vector, VectorSpace, map_coordinates,

@@ -1,9 +1,11 @@
 //! The realisation of so(3)∗ on C² by the Hopf map.
 
-use crate::{
-    FibreSymmetry, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Side, So3OnC2, SourcePoint,
-    TargetPoint, hopf_section,
-};
+use crate::actions::action::Side;
+use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
+use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetPoint};
+use crate::maps::quadratic_momentum_map::QuadraticMomentumMap;
+use crate::maps::symplectic_representation::So3OnC2;
+use crate::phase_spaces::hopf_fibration::hopf_section;
 use lie_poisson::{Mask, Pair, Real, Vector, euclidean_norm};
 use nalgebra::Vector2;
 use num_complex::Complex;

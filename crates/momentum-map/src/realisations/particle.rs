@@ -1,9 +1,11 @@
 //! The realisation of the level Π·Γ = 0 of se(3)∗ on T∗R³.
 
-use crate::{
-    AffineAction, Cotangent, FibreSymmetry, Lift, LiftError, MomentumMap, Opposite, PoissonMap,
-    SourcePoint, TargetPoint,
-};
+use crate::actions::derived_actions::Opposite;
+use crate::actions::represented_actions::AffineAction;
+use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
+use crate::maps::momentum_map::MomentumMap;
+use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetPoint};
+use crate::phase_spaces::cotangent::Cotangent;
 use lie_poisson::{Covector, Mask, Pair, Real, SO3OnR3, Vector, squaring_scale};
 
 /// The momentum map of the right action q ↦ Rᵀ(q − a) of SE(3) on R³, lifted to T∗R³:

@@ -1,9 +1,8 @@
 //! A Poisson map whose fibres a separate type describes: [`Realisation`].
 
-use crate::{
-    FibreSymmetry, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint, TargetDifferential,
-    TargetPoint,
-};
+use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
+use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
+use crate::maps::recentring::RecentringSpace;
 use lie_poisson::{Differential, Real};
 
 /// A description of the fibres of a Poisson map M, in a type separate from the map.

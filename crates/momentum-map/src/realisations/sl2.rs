@@ -1,9 +1,10 @@
 //! The realisation of sl(2, R)∗ ≅ so(2, 1)∗ on R⁴.
 
-use crate::{
-    FibreSymmetry, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Reversed, Side, SourcePoint,
-    SymplecticRepresentation, TargetPoint,
-};
+use crate::actions::action::Side;
+use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
+use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetPoint};
+use crate::maps::quadratic_momentum_map::QuadraticMomentumMap;
+use crate::maps::symplectic_representation::{Reversed, SymplecticRepresentation};
 use lie_poisson::{Pair, Real, SL2OnR2, Sl2, Sum, Vector, map_coordinates, squaring_scale};
 use nalgebra::Vector2;
 

@@ -1,9 +1,9 @@
 //! The realisation of u(N)∗ on C^N by outer products.
 
-use crate::{
-    FibreSymmetry, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Side, SourcePoint,
-    TargetPoint,
-};
+use crate::actions::action::Side;
+use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
+use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetPoint};
+use crate::maps::quadratic_momentum_map::QuadraticMomentumMap;
 use lie_poisson::{
     Mask, Pair, Real, UnitaryAlgebra, UnitaryOnComplexSpace, Vector, squaring_scale,
 };

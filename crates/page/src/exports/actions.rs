@@ -1,8 +1,10 @@
 //! The functions that change the top. Each returns 0, or 1 if it fails, with its message as the [text](super::texts::text).
 #![allow(unsafe_code, reason = "names without mangling are the interface of a WebAssembly module")]
 
+use crate::error::PageError;
 use crate::exports::desk::{Desk, attempt, with};
-use crate::{PageError, PageMethod, Simulation};
+use crate::motions::page_method::PageMethod;
+use crate::simulation::running_top::Simulation;
 use heavytop::{Body, Coordinate, HeavyTop};
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;

@@ -1,6 +1,7 @@
 //! The top of this instance, which the functions for JavaScript share.
 
-use crate::{PageError, Simulation};
+use crate::error::PageError;
+use crate::simulation::running_top::Simulation;
 use std::cell::RefCell;
 
 /// The number of parameters of a throw: I (3), m g l, c (3), Π (3), Γ (3).

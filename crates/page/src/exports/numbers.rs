@@ -2,7 +2,9 @@
 #![allow(unsafe_code, reason = "names without mangling are the interface of a WebAssembly module")]
 
 use crate::exports::desk::{NUMBERS, with};
-use crate::{MOST_INVARIANTS, Simulation, Snapshot};
+use crate::motions::snapshot::Snapshot;
+use crate::records::deviation_record::MOST_INVARIANTS;
+use crate::simulation::running_top::Simulation;
 use lie_poisson::{Covector, Pair};
 
 /// Returns the address of 32 numbers that describe the top at a time within the last step, or after it.

@@ -1,8 +1,8 @@
 //! Texts, as UTF-8 in memory.
 #![allow(unsafe_code, reason = "names without mangling are the interface of a WebAssembly module")]
 
-use crate::PageMethod;
 use crate::exports::desk::with;
+use crate::motions::page_method::PageMethod;
 
 /// Returns the address of the text.
 #[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]

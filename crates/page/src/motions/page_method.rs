@@ -1,6 +1,6 @@
 //! The methods of the page: [`PageMethod`].
 
-use crate::PageError;
+use crate::error::PageError;
 use crate::motions::direct_with_attitude::DirectWithAttitude;
 use crate::motions::motion::Motion;
 use crate::motions::snapshot::Snapshot;

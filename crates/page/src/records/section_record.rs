@@ -1,6 +1,6 @@
 //! The points of a Poincaré section.
 
-use crate::PageError;
+use crate::error::PageError;
 use heavytop::Section;
 use lie_poisson::Se3Dual;
 use nalgebra::Vector2;

@@ -1,6 +1,6 @@
 //! The deviations of the invariants from their values at the start.
 
-use crate::PageError;
+use crate::error::PageError;
 use crate::records::deviation_record::{DeviationRecord, MOST_INVARIANTS};
 use heavytop::{HeavyTop, Invariant};
 use lie_poisson::Se3Dual;

@@ -1,10 +1,13 @@
 //! A top that moves while its method and its step change: [`Simulation`].
 
+use crate::error::PageError;
 use crate::motions::motion::Motion;
-use crate::records::section_record::SectionRecord;
+use crate::motions::page_method::PageMethod;
+use crate::motions::snapshot::Snapshot;
+use crate::records::deviation_record::{DeviationColumn, MOST_INVARIANTS};
+use crate::records::section_record::{SectionPoint, SectionRecord};
 use crate::simulation::clock::Clock;
 use crate::simulation::measurement::Measurement;
-use crate::{DeviationColumn, MOST_INVARIANTS, PageError, PageMethod, SectionPoint, Snapshot};
 use collective_integrators::Direction;
 use core::fmt;
 use heavytop::{

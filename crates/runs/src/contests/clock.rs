@@ -1,7 +1,7 @@
 //! The measurement of computing times and errors.
 
 use super::problem::{EARLY, TimedProblem};
-use crate::RunFailure;
+use crate::error::RunFailure;
 use lie_poisson::{BlockScales, Covector, Pair, Se3Dual};
 use serde::Serialize;
 use std::hint::black_box;

@@ -2,7 +2,8 @@
 
 use super::clock::{TimedRun, measure};
 use super::problem::TimedProblem;
-use crate::{RunFailure, TopInAxes};
+use crate::error::RunFailure;
+use crate::models::top_in_axes::TopInAxes;
 use collective_integrators::{
     AlternatingSubsteps, AnyIntegrator, AnyState, BatchIntegrator, Chunk, Collective, Ensemble,
     Integrator, Laned, LiftFree, RungeKutta, SchemeError, Splitting, StagesInLanes, Start,

@@ -1,6 +1,6 @@
 //! The problem of a benchmark: tops, their starts, and their states at two times.
 
-use crate::RunFailure;
+use crate::error::RunFailure;
 use collective_integrators::{IntegrationError, Start};
 use heavytop::methods::{MethodError, SchemeName};
 use heavytop::{CollectiveGauss, HeavyTop};

@@ -1,7 +1,7 @@
 //! What is integrated: [`Model`].
 
 use super::conserved::Conserved;
-use crate::RunFailure;
+use crate::error::RunFailure;
 use collective_integrators::diagnostics::{
     RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,
 };

@@ -1,7 +1,7 @@
 //! The largest angle by which a motion may turn in one step.
 
 use super::model::Model;
-use crate::RunFailure;
+use crate::error::RunFailure;
 use heavytop::methods::Method;
 
 /// The largest angle by which a motion may turn in one step, rad: sixteen turns.

@@ -2,7 +2,7 @@
 
 use super::conserved::Conserved;
 use super::model::Model;
-use crate::RunFailure;
+use crate::error::RunFailure;
 use collective_integrators::diagnostics::SystemScales;
 use collective_integrators::{AnyIntegrator, AnyTangents};
 use core::ops::Range;

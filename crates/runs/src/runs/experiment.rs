@@ -3,7 +3,7 @@
 use super::moment::{Moment, Saved};
 use super::pace::Pace;
 use super::schedule::Schedule;
-use crate::RunFailure;
+use crate::error::RunFailure;
 use crate::models::conserved::Conserved;
 use crate::models::model::Model;
 use crate::models::top_in_axes::TopInAxes;

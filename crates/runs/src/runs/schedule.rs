@@ -1,6 +1,6 @@
 //! The schedule of a run: its step size and number of steps.
 
-use crate::RunFailure;
+use crate::error::RunFailure;
 
 /// The largest number of steps; more must be a typing error.
 pub const MOST_STEPS: f64 = 1e12;

@@ -1,7 +1,7 @@
 //! A motion that is followed with tangent vectors: [`TangentGrowth`].
 
 use super::schedule::Schedule;
-use crate::RunFailure;
+use crate::error::RunFailure;
 use collective_integrators::{
     AnyIntegrator, AnyState, AnyTangents, Megno, Start, VariationalError, VariationalFlow,
     smaller_alignment_index,

@@ -1,7 +1,10 @@
 //! Norms of vectors whose blocks have different units: [`BlockScales`].
 
 use crate::calculus::norm::norm_of;
-use crate::{Blocks, Mask, Real, State};
+use crate::numbers::blocks::Blocks;
+use crate::numbers::mask::Mask;
+use crate::numbers::real::Real;
+use crate::spaces::state::State;
 
 /// A positive scale s_b for each [block](State::BLOCKS) of coordinates, in the unit of the block, with which vectors are
 /// measured:
@@ -123,7 +126,9 @@ fn quotient<T: Real>(x: T, s: T) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{DefaultLanes, DualNumber, Lanes, Pair};
+    use crate::lanes::{DefaultLanes, Lanes};
+    use crate::numbers::dual_number::DualNumber;
+    use crate::spaces::pair::Pair;
     use nalgebra::{Vector1, Vector2};
 
     type Two<T = f64> = Pair<Vector1<T>, Vector2<T>>;

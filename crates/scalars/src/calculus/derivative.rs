@@ -1,6 +1,8 @@
 //! Exact derivatives of maps between vector spaces, by dual numbers.
 
-use crate::{DualNumber, Real, Vector};
+use crate::numbers::dual_number::DualNumber;
+use crate::numbers::real::Real;
+use crate::spaces::vector::Vector;
 
 /// Returns z + ε v, the dual point at which a map is evaluated to get its derivative along v.
 #[cfg_attr(optimised, inline(always))]

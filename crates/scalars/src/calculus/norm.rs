@@ -1,6 +1,8 @@
 //! Euclidean norms that neither overflow nor underflow.
 
-use crate::{Mask, Real, State};
+use crate::numbers::mask::Mask;
+use crate::numbers::real::Real;
+use crate::spaces::state::State;
 
 /// The size up to which a coordinate may underflow when it is squared.
 const SMALL: f64 = two_to_the(-500);
@@ -79,7 +81,8 @@ const fn two_to_the(n: i32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{DefaultLanes, DualNumber, Lanes};
+    use crate::lanes::{DefaultLanes, Lanes};
+    use crate::numbers::dual_number::DualNumber;
     use nalgebra::{Vector2, Vector3};
 
     #[test]

@@ -1,6 +1,6 @@
 //! SIMD lanes as a scalar: [`Lanes`].
 
-use crate::Real;
+use crate::numbers::real::Real;
 
 /// SIMD lanes: `COUNT` independent real numbers in one or two registers, for example one for each of several
 /// trajectories.

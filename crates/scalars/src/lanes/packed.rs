@@ -2,7 +2,8 @@
 
 use super::lane_scalar::Lanes;
 use super::registers::register::Register;
-use crate::{Mask, Real, larger};
+use crate::numbers::mask::Mask;
+use crate::numbers::real::{Real, larger};
 use core::fmt;
 use core::ops::{
     Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign,

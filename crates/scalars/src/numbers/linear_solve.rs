@@ -1,6 +1,7 @@
 //! Dense linear equations over any scalar.
 
-use crate::{Mask, Real};
+use crate::numbers::mask::Mask;
+use crate::numbers::real::Real;
 
 /// Solves A x = b in place by Gaussian elimination with partial pivoting, over any scalar.
 ///
@@ -69,7 +70,9 @@ fn swap_where<T: Real>(mask: T::Mask, x: &mut [T], i: usize, j: usize) {
 #[cfg(test)]
 mod tests {
     use super::solve_linear;
-    use crate::{DefaultLanes, Lanes, Mask, Real};
+    use crate::lanes::{DefaultLanes, Lanes};
+    use crate::numbers::mask::Mask;
+    use crate::numbers::real::Real;
 
     #[test]
     fn equations_are_solved_and_singular_ones_refused() {

@@ -1,6 +1,6 @@
 //! Powers of two by products and sums alone, for every scalar.
 
-use crate::Real;
+use crate::numbers::real::Real;
 
 /// Returns ±2ᵏ with ¾ 2ᵏ ≤ |x| ≤ 3/2 2ᵏ, which is the leading bit of 4x/3, for any scalar.
 ///
@@ -21,7 +21,8 @@ pub fn nearest_power_of_two<T: Real>(x: T) -> T {
 #[cfg(test)]
 mod tests {
     use super::nearest_power_of_two;
-    use crate::{DefaultLanes, DualNumber, Lanes};
+    use crate::lanes::{DefaultLanes, Lanes};
+    use crate::numbers::dual_number::DualNumber;
 
     #[test]
     fn it_is_the_nearest_power_of_two() {

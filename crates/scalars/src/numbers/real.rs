@@ -1,6 +1,6 @@
 //! The scalar trait [`Real`], implemented by `f64`, dual numbers and lanes.
 
-use crate::Mask;
+use crate::numbers::mask::Mask;
 use crate::numbers::stumpff::stumpff;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -123,7 +123,7 @@ fn factorial(n: u32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Real;
+    use crate::numbers::real::Real;
 
     #[test]
     fn stumpff_functions_against_fifty_digit_values() {

@@ -1,6 +1,8 @@
 //! Elements of the dual space, as a separate type: [`Covector`].
 
-use crate::{Real, State, Vector};
+use crate::numbers::real::Real;
+use crate::spaces::state::State;
+use crate::spaces::vector::Vector;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// An element of the dual space V∗, stored by its coordinates in the dual basis.

@@ -1,6 +1,9 @@
 //! [`Vector`] for matrices of real and of complex numbers; products with constant matrices over every scalar.
 
-use crate::{Covector, Real, Vector, state_by_value};
+use crate::numbers::real::Real;
+use crate::spaces::covector::Covector;
+use crate::spaces::vector::Vector;
+use crate::state_by_value;
 use nalgebra::{ArrayStorage, SMatrix, SVector, Vector3};
 use num_complex::Complex;
 
@@ -179,7 +182,9 @@ fn sum_of_products<T: Real>(count: usize, term: impl Fn(usize) -> T) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{DefaultLanes, Lanes, Pair, Power};
+    use crate::lanes::{DefaultLanes, Lanes};
+    use crate::spaces::pair::Pair;
+    use crate::spaces::power::Power;
     use nalgebra::{Matrix2, Vector2, Vector3};
 
     #[test]

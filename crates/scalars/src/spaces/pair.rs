@@ -1,6 +1,9 @@
 //! Direct sums V ⊕ W of two vector spaces.
 
-use crate::{Covector, Real, State, Vector};
+use crate::numbers::real::Real;
+use crate::spaces::covector::Covector;
+use crate::spaces::state::State;
+use crate::spaces::vector::Vector;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// An element (v, w) of a direct sum V ⊕ W; the coordinates of v come first.

@@ -1,6 +1,8 @@
 //! Powers Vᴺ of a vector space.
 
-use crate::{Covector, Vector, state_by_value};
+use crate::spaces::covector::Covector;
+use crate::spaces::vector::Vector;
+use crate::state_by_value;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// An element (v₁, …, v_N) of the power Vᴺ, for example the state of N spins or of N vortices.

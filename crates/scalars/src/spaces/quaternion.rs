@@ -1,7 +1,10 @@
 //! Quaternions over any scalar: [`Quaternion`].
 
+use crate::numbers::real::Real;
+use crate::spaces::covector::Covector;
 use crate::spaces::matrices::{cross, dot};
-use crate::{Covector, Real, Vector, state_by_value};
+use crate::spaces::vector::Vector;
+use crate::state_by_value;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 use nalgebra::Vector3;
 

@@ -1,6 +1,8 @@
 //! Powers Vᴺ of a small vector space, with N known when the program runs: [`Sites`].
 
-use crate::{Real, State, Vector};
+use crate::numbers::real::Real;
+use crate::spaces::state::State;
+use crate::spaces::vector::Vector;
 use core::ops::{Deref, DerefMut};
 
 /// An element (v₁, …, v_N) of the power Vᴺ of a small space, with N known only when the program runs.

@@ -1,6 +1,7 @@
 //! Vector spaces that exist over every scalar: [`VectorSpace`].
 
-use crate::{Real, Vector};
+use crate::numbers::real::Real;
+use crate::spaces::vector::Vector;
 use nalgebra::SVector;
 use num_complex::Complex;
 

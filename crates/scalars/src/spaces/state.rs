@@ -1,6 +1,8 @@
 //! States of fixed dimension, and of a dimension that is known only when the program runs: [`State`].
 
-use crate::{Blocks, Mask, Real};
+use crate::numbers::blocks::Blocks;
+use crate::numbers::mask::Mask;
+use crate::numbers::real::Real;
 use core::fmt::Debug;
 
 /// A vector that an integrator advances: either small and of fixed dimension, or large and on the heap.

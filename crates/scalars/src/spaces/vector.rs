@@ -1,7 +1,9 @@
 //! Vectors of finite-dimensional real vector spaces, given by their coordinates, and how they become states:
 //! [`Vector`].
 
-use crate::{Mask, Real, State};
+use crate::numbers::mask::Mask;
+use crate::numbers::real::Real;
+use crate::spaces::state::State;
 use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 
 /// A vector of a real vector space V of fixed dimension, with a standard basis e₀, e₁, ….

@@ -1,7 +1,7 @@
 //! A chain of classical spins.
 
 use crate::error::{SystemError, require_finite};
-use crate::{SpinSpace, Spins};
+use crate::spaces::spin_space::{SpinSpace, Spins};
 use lie_poisson::{Hamiltonian, Power, Real, Vector, hessian_by_dual_numbers};
 use nalgebra::Vector3;
 

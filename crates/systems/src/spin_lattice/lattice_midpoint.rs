@@ -1,6 +1,6 @@
 //! The spherical midpoint method for the lattice of spins, on SIMD lanes and threads: [`LatticeMidpoint`].
 
-use crate::HeisenbergLattice;
+use crate::spin_lattice::heisenberg_lattice::HeisenbergLattice;
 use crate::spin_lattice::rows::{add_blocks, clear, sum_is_finite, write_blocks};
 use crate::spin_lattice::slab_sweep::{Slab, SlabSweep};
 use crate::spin_lattice::stencil::{BLOCK, Spins, Stencil};

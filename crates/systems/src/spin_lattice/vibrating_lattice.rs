@@ -1,7 +1,7 @@
 //! Spins on a vibrating lattice of one dimension: [`SpinLattice`].
 
-use crate::SpinSpace;
 use crate::error::{SystemError, require_finite, require_not_negative, require_positive};
+use crate::spaces::spin_space::SpinSpace;
 use lie_poisson::{Covector, Energy, Pair, Point, Power, ProductSpace, Real, RealSpace};
 use momentum_map::CotangentBundle;
 

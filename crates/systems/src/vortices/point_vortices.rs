@@ -1,8 +1,8 @@
 //! Point vortices on the sphere.
 
 use crate::error::SystemError;
+use crate::spaces::spin_space::{SpinSpace, Spins};
 use crate::vortices::interaction::{add_differential, energy, require_strength};
-use crate::{SpinSpace, Spins};
 use core::array::from_fn;
 use lie_poisson::{Covector, Hamiltonian, Power, Real, Vector, hessian_by_dual_numbers};
 use nalgebra::Vector3;

@@ -2,8 +2,8 @@
 
 use super::animation::Animation;
 use super::page_summary::PageSummary;
-use crate::Error;
 use crate::configuration::Config;
+use crate::errors::Error;
 use crate::files::{Kind, Output, Place, contains};
 use crate::pictures::caption;
 use crate::runs::run_check::accuracy_warning;

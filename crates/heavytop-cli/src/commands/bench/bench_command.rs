@@ -1,8 +1,8 @@
 //! The command `bench`: what is timed, and the table of the times.
 
 use super::problem_file::read;
-use crate::Error;
 use crate::configuration::Config;
+use crate::errors::Error;
 use crate::supervision::Progress;
 use crate::supervision::tiled_run::threads as pool;
 use heavytop::HeavyTop;

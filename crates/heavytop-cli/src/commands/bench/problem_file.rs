@@ -1,6 +1,6 @@
 //! The file of a problem of `bench`: tops, their starts, and their states at two times.
 
-use crate::Error;
+use crate::errors::Error;
 use crate::files::bounded;
 use crate::vocabulary::brief;
 use heavytop::{Body, HeavyTop};

@@ -3,8 +3,8 @@
 use super::chart;
 use super::measurement::{Measure, Measurement, Reference};
 use super::recommendations::{self, Comparison};
-use crate::Error;
 use crate::configuration::{Config, Integration};
+use crate::errors::Error;
 use crate::files::place::require_folder;
 use crate::files::{Kind, Output, OutputSet};
 use crate::pictures::render;

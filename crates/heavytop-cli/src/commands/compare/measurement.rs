@@ -1,6 +1,6 @@
 //! The measurement of errors and computing times.
 
-use crate::Error;
+use crate::errors::Error;
 use crate::runs::{Experiment, TopInAxes};
 use crate::supervision::Watch;
 use collective_integrators::{AnyIntegrator, AnyState, IntegrationError, Start};

@@ -3,8 +3,8 @@
 use super::deviations::{Deviations, Reproduction};
 use super::record::{QUANTITIES, Record};
 use super::{figures, plot};
-use crate::Error;
 use crate::configuration::{Config, Integration};
+use crate::errors::Error;
 use crate::files::place::require_folder;
 use crate::files::{Kind, Output, OutputSet};
 use crate::formats::run_table::{STATE_COLUMNS, append_row, state_values};

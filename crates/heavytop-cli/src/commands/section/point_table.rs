@@ -2,7 +2,7 @@
 
 use super::orbits::orbit::Orbit;
 use super::orbits::orbit_tiles::values;
-use crate::Error;
+use crate::errors::Error;
 use crate::files::Output;
 use crate::formats::Metadata;
 use crate::formats::parquet::{GROUP, begin, io_error, required, write_column};

@@ -3,8 +3,8 @@
 use super::orbits::orbit::orbit;
 use super::problems::limits::Limits;
 use super::settings::Settings;
-use crate::Error;
 use crate::configuration::Config;
+use crate::errors::Error;
 use crate::supervision::forecast::{in_parquet, in_text, time_of_all};
 use crate::supervision::tiled_run::threads;
 use crate::supervision::{Forecast, TileOptions};

@@ -1,9 +1,8 @@
 //! The checkpoint of a run, from which an interrupted run continues.
 
 use super::growing_file::Mark;
-use crate::Error;
 use crate::configuration::{Config, LeftOut, inner};
-use crate::errors::CheckpointError;
+use crate::errors::{CheckpointError, Error};
 use crate::files::sealed::{damaged, of_this_version, open, read, seal};
 use crate::files::{Kind, Output};
 use crate::formats::{Format, RunTable};

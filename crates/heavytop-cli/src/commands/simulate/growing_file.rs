@@ -1,6 +1,6 @@
 //! A file to which a run appends its rows.
 
-use crate::Error;
+use crate::errors::Error;
 use crate::files::lock;
 use crate::files::torn_line::cut_torn_line;
 use crate::formats::Extent;

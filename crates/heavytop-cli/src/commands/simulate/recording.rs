@@ -3,9 +3,8 @@
 use super::checkpoint::{self, Checkpoint};
 use super::growing_file::Growing;
 use super::simulate_options::SimulateOptions;
-use crate::Error;
 use crate::configuration::Config;
-use crate::errors::CheckpointError;
+use crate::errors::{CheckpointError, Error};
 use crate::files::{Input, Output, Place};
 use crate::formats::recognition::ROWS;
 use crate::formats::{Extent, Format, Metadata, RunTable};

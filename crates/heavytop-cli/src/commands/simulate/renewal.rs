@@ -3,7 +3,7 @@
 use super::recording::Recording;
 use super::run_summary::Deviations;
 use super::simulate_options::SimulateOptions;
-use crate::Error;
+use crate::errors::Error;
 use crate::runs::Saved;
 use crate::supervision::tiled_run::RESUME;
 use collective_integrators::CHECKPOINT;

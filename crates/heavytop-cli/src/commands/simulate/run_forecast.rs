@@ -1,7 +1,7 @@
 //! The forecast of a run: how much it would write, and how long that would take.
 
-use crate::Error;
 use crate::configuration::Config;
+use crate::errors::Error;
 use crate::files::Place;
 use crate::formats::{Format, RunTable};
 use crate::runs::Pace;

@@ -1,7 +1,7 @@
 //! The summary of a run, which `heavytop simulate --json` prints.
 
 use super::checkpoint::Checkpoint;
-use crate::Error;
+use crate::errors::Error;
 use crate::files::place::shown;
 use crate::formats::RunTable;
 use crate::runs::run_check::{write_accuracy, write_method};

@@ -1,7 +1,7 @@
 //! The options of `simulate`: checkpoints, requests to stop, and progress.
 
 use super::checkpoint::Checkpoint;
-use crate::Error;
+use crate::errors::Error;
 use crate::files::Safeguard;
 use crate::supervision::Progress;
 use crate::supervision::tiled_run::RESUME;

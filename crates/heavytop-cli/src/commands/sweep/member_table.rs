@@ -2,7 +2,7 @@
 
 use super::measured_row::Row;
 use super::sweep_plan::{FAILURE, INDEX, Plan};
-use crate::Error;
+use crate::errors::Error;
 use crate::files::{Output, Place};
 use crate::formats::Metadata;
 use crate::formats::parquet::{GROUP, begin, io_error, required, write_column};

@@ -2,7 +2,7 @@
 
 use super::measured_row::{Row, measure};
 use super::sweep_plan::Plan;
-use crate::Error;
+use crate::errors::Error;
 use crate::supervision::tiled_run::interrupted;
 use crate::supervision::{TileOptions, Tiles};
 use rayon::prelude::*;

@@ -1,6 +1,6 @@
 //! The processes that share a sweep: a single one, or those of an MPI job.
 
-use crate::Error;
+use crate::errors::Error;
 
 /// The variables that launchers set: those of Open MPI, of PMIx and of PMI (MPICH, Slurm).
 #[cfg(feature = "mpi")]

@@ -2,9 +2,8 @@
 
 use super::numbers::Numbers;
 use super::table_file::{is_table, read_table};
-use crate::Error;
 use crate::configuration::{Integration, IntegratorConfig};
-use crate::errors::SystemTableError;
+use crate::errors::{Error, SystemTableError};
 use crate::runs::{Experiment, Pace, Schedule};
 use heavytop::methods::Formulation;
 use lie_poisson_formula_systems::{

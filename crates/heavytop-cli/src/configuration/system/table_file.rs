@@ -1,6 +1,6 @@
 //! Structure constants in a file of their own.
 
-use crate::Error;
+use crate::errors::Error;
 use crate::files::bounded;
 use std::path::Path;
 

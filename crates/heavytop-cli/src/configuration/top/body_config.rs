@@ -2,7 +2,7 @@
 
 use super::directions::scaled;
 use super::inertia::{About, Inertia};
-use crate::Error;
+use crate::errors::Error;
 use heavytop::{Body, HeavyTop, PrincipalAxes, TopError, point_inertia, require_possible_body};
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};

@@ -3,7 +3,7 @@
 use super::angle::{AZIMUTH, INCLINATION, azimuth, inclination};
 use super::body_config::BodyConfig;
 use super::directions::{scaled, unit_vector};
-use crate::Error;
+use crate::errors::Error;
 use heavytop::require_unit;
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;

@@ -1,7 +1,7 @@
 //! The safeguard of a command: the files that its outputs must not replace.
 
 use super::kind::Kind;
-use crate::Error;
+use crate::errors::Error;
 use crate::files::lock;
 use crate::files::place::Place;
 use same_file::Handle;

@@ -1,8 +1,8 @@
 //! Collective Gauss methods of many tops at once.
 
-use crate::HeavyTop;
 use crate::kernels::gauss_many::spinor_field::FieldParameters;
 use crate::kernels::gauss_many::spinor_step::{ExtendedTableau, SpinorLanes};
+use crate::tops::top::HeavyTop;
 use collective_integrators::{
     BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults, LiftFree, Registers,
     RungeKutta, SchemeError, Tableau, lagrange_polynomial,

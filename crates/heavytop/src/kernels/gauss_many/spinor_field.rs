@@ -1,7 +1,7 @@
 //! The collective equations on T∗C², and the functions that are constant on fibres, in components.
 
-use crate::HeavyTop;
 use crate::kernels::infinitesimal_rotation::infinitesimal_rotation;
+use crate::tops::top::HeavyTop;
 use lie_poisson::Lanes;
 
 /// The coordinates q₁, …, q₄, p₁, …, p₄ with χ = (q₁ + iq₂, q₃ + iq₄) and ψ = (p₁ + ip₂, p₃ + ip₄).

@@ -6,7 +6,7 @@
 use crate::kernels::gauss_many::spinor_field::{
     FieldParameters, Spinors, imaginary_overlap, real_overlap, square,
 };
-use crate::{SpinorPoint, SpinorRealisation};
+use crate::paper::spinor_realisation::{SpinorPoint, SpinorRealisation};
 use collective_integrators::MOST_LANES;
 use lie_poisson::{Covector, Lanes, Mask, Se3Dual};
 use momentum_map::{Lift, PoissonMap};
@@ -227,8 +227,8 @@ fn lift(mu: &Se3Dual) -> [f64; 8] {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::HeavyTop;
     use crate::kernels::gauss_many::gauss_batch::coefficients;
+    use crate::tops::top::HeavyTop;
     use collective_integrators::Tableau;
     use nalgebra::Vector3;
 

@@ -5,8 +5,9 @@ use super::gauss_coefficients::GaussCoefficients;
 use super::row::WIDTH;
 use super::stage_equations::{Attempt, MOST};
 use super::stage_history::StageHistory;
-use crate::attitude::step_rotation::turned_by_spinors;
-use crate::{HeavyTop, SpinorPoint, SpinorRealisation, TurnedStep, Turning};
+use crate::attitude::step_rotation::{TurnedStep, Turning, turned_by_spinors};
+use crate::paper::spinor_realisation::{SpinorPoint, SpinorRealisation};
+use crate::tops::top::HeavyTop;
 use collective_integrators::{
     Collective, CollectiveSpace, Compensated, Integrator, RungeKutta, SchemeError, StageSpace,
     Start, Step, StepError,

@@ -1,7 +1,7 @@
 //! Points of T∗C² with the rounding error of their last sum.
 
 use super::row::{Row, Stages, WIDTH};
-use crate::SpinorPoint;
+use crate::paper::spinor_realisation::SpinorPoint;
 use core::hint::black_box;
 use lie_poisson::{Covector, Pair, nearest_power_of_two};
 use momentum_map::Cotangent;

@@ -1,7 +1,7 @@
 //! The coefficients of a Gauss method and a top, in the form that the solver of the stage equations uses.
 
 use super::row::{Row, WIDTH};
-use crate::HeavyTop;
+use crate::tops::top::HeavyTop;
 use collective_integrators::{Tableau, lagrange_polynomial};
 use core::array::from_fn;
 use core::cmp::Ordering;

@@ -1,8 +1,8 @@
 //! The collective midpoint rule for many tops at once.
 
-use crate::HeavyTop;
 use crate::kernels::midpoint::formulas::{Member, together};
 use crate::kernels::midpoint::top_midpoint::TopMidpoint;
+use crate::tops::top::HeavyTop;
 use collective_integrators::{
     BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults, Registers,
 };

@@ -1,8 +1,8 @@
 //! The collective midpoint rule in closed form on se(3)∗, for any Hamiltonian.
 
 use super::closed_form::{Velocity, end, half_angle, middle, whole_turn};
-use crate::attitude::step_rotation::unit;
-use crate::{HeavyTopSpace, TurnedStep, Turning};
+use crate::attitude::step_rotation::{TurnedStep, Turning, unit};
+use crate::tops::top::HeavyTopSpace;
 use collective_integrators::{
     Integrator, LiftFree, RungeKutta, StageMemory, StageSolver, StateIsMomentum, Step, StepError,
 };

@@ -3,7 +3,8 @@
 use super::closed_form::whole_turn;
 use super::formulas::GuessHistory;
 use super::reduced_midpoint::{ReducedMidpoint, ReducedMidpointSpace};
-use crate::{HeavyTop, TurnedStep, Turning};
+use crate::attitude::step_rotation::{TurnedStep, Turning};
+use crate::tops::top::HeavyTop;
 use collective_integrators::{Integrator, Registers, StateIsMomentum, Step, StepError};
 use lie_poisson::{InstructionSet, MissingInstructions, Se3Dual, Width};
 

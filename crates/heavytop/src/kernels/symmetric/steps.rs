@@ -1,8 +1,8 @@
 //! The two flows of a symmetric top in components, for as many tops as there are SIMD lanes.
 
-use crate::SymmetricTopSplitting;
 use crate::kernels::symmetric::axial_turn::AxialTurn;
 use crate::kernels::symmetric::drift_polynomials::DriftPolynomials;
+use crate::splittings::symmetric_top::SymmetricTopSplitting;
 use collective_integrators::MOST_LANES;
 use lie_poisson::{Covector, Lanes, Pair, Se3Dual};
 use nalgebra::Vector3;
@@ -200,7 +200,7 @@ fn cross<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::HeavyTop;
+    use crate::tops::top::HeavyTop;
 
     /// With Γ against the force, the energy is kinetic. The bound is then attained by turns about e₃ if I₃ is large or
     /// small, and by those about e₁ in between.

@@ -1,8 +1,8 @@
 //! Splittings of many symmetric tops at once.
 
-use crate::SymmetricTopSplitting;
 use crate::kernels::symmetric::flows::Flows;
 use crate::kernels::symmetric::steps::{FlowParameters, MomentumLanes};
+use crate::splittings::symmetric_top::SymmetricTopSplitting;
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, IntegrationError, Integrator, LaneKernel, LaneResults,
     MOST_LANES, Registers, Splitting,
@@ -199,7 +199,7 @@ fn advance<T: Lanes>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::HeavyTop;
+    use crate::tops::top::HeavyTop;
     use nalgebra::Vector3;
 
     /// Returns the end of one top by these flows, if it stays within their range.

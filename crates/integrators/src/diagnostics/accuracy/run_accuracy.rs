@@ -5,8 +5,9 @@ use super::relative_distance::RelativeDistance;
 use super::reported_accuracy::RunAccuracy;
 use super::sampled_run::SampledRun;
 use super::system_scales::SystemScales;
+use crate::erased::AnyIntegrator;
+use crate::error::RunError;
 use crate::stages::checkpoints::CHECKPOINT;
-use crate::{AnyIntegrator, RunError};
 use lie_poisson::larger;
 
 /// The number of steps up to which the whole run is repeated.
@@ -150,7 +151,9 @@ fn two_digits(error: f64) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::diagnostics::{NoOrder, StepCheck, check_by_half_steps};
-    use crate::{Direct, RungeKutta, from_fn};
+    use crate::dual::direct::Direct;
+    use crate::schemes::runge_kutta::RungeKutta;
+    use crate::vector_field::from_fn;
     use core::cell::Cell;
     use core::ops::Range;
     use nalgebra::Vector2;

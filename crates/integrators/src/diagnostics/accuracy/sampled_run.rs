@@ -1,7 +1,10 @@
 //! The momenta of a run after chosen numbers of steps.
 
+use crate::dual::trajectories::integrator::Integrator;
+use crate::dual::trajectories::start::Start;
+use crate::erased::{AnyIntegrator, AnyState};
+use crate::error::{IntegrationError, RunError, StepError};
 use crate::stages::checkpoints::CHECKPOINT;
-use crate::{AnyIntegrator, AnyState, IntegrationError, Integrator, RunError, Start, StepError};
 
 /// The momenta of a run, coordinate by coordinate.
 pub(super) struct SampledRun {

@@ -4,7 +4,8 @@ use super::error_growth::of_whole_step;
 use super::relative_distance::RelativeDistance;
 use super::sampled_run::SampledRun;
 use super::system_scales::SystemScales;
-use crate::{AnyIntegrator, RunError};
+use crate::erased::AnyIntegrator;
+use crate::error::RunError;
 use core::fmt;
 use lie_poisson::larger;
 

@@ -1,11 +1,13 @@
 //! Integrators whose vector field can be evaluated over SIMD lanes: [`FieldInLanes`].
 
 use crate::dual::collective::Collective;
+use crate::dual::compensated::Increments;
 use crate::dual::direct::Direct;
 use crate::dual::lift_free::LiftFree;
 use crate::dual::multiplier_field::AnyScalar;
+use crate::error::StepError;
+use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
 use crate::stages::lane_field::{InLanes, LaneField};
-use crate::{Equivariant, Increment, Increments, Scheme, Step, StepError};
 use lie_poisson::{Hamiltonian, InstructionSet, Pair};
 use momentum_map::{CollectiveHamiltonian, Multiplier, Multipliers, PoissonMap};
 

@@ -1,8 +1,12 @@
 //! Integrators that compute the stages of a step side by side: [`StagesInLanes`].
 
+use crate::dual::compensated::{Compensated, Increments};
 use crate::dual::lanes::fastest_set::FastestSet;
 use crate::dual::lanes::field_in_lanes::FieldInLanes;
-use crate::{Compensated, Increment, Increments, Integrator, Start, Step, StepError};
+use crate::dual::trajectories::integrator::Integrator;
+use crate::dual::trajectories::start::Start;
+use crate::error::StepError;
+use crate::schemes::scheme::{Increment, Step};
 use lie_poisson::{InstructionSet, MissingInstructions, Pair, State};
 use momentum_map::LiftError;
 
@@ -73,7 +77,8 @@ impl<I: FieldInLanes> StagesInLanes<I> {
     }
 
     /// Creates the integrator on four lanes of the widest registers of this processor, or on those that every processor
-    /// has if the first step shows that they are faster. The steps are bit-identical to those of [`new`](Self::new).
+    /// has if the first step shows that they are faster. To find that out, it makes a few more steps, in storage of their
+    /// own. The steps are bit-identical to those of [`new`](Self::new).
     pub fn widest(integrator: I) -> Self {
         Self { integrator, instructions: FastestSet::up_to(FOUR_LANES) }
     }

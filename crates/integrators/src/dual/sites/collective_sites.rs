@@ -2,7 +2,11 @@
 
 use crate::dual::finite_momentum::has_finite_momentum;
 use crate::dual::recentring_threshold::{RecentringThreshold, moves_along};
-use crate::{Equivariant, Integrator, Scheme, Start, Step, StepError, VectorField};
+use crate::dual::trajectories::integrator::Integrator;
+use crate::dual::trajectories::start::Start;
+use crate::error::StepError;
+use crate::schemes::scheme::{Equivariant, Scheme, Step};
+use crate::vector_field::VectorField;
 use lie_poisson::{Covector, LieAlgebra, LiePoisson, Real, Sites, SitesHamiltonian, State, Vector};
 use momentum_map::{Far, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint};
 use std::cell::RefCell;

@@ -1,7 +1,12 @@
 //! Collective methods without a lift for N copies of 𝔤∗: [`LiftFreeSites`].
 
+use crate::dual::state_is_momentum::StateIsMomentum;
+use crate::dual::trajectories::integrator::Integrator;
+use crate::error::StepError;
+use crate::schemes::scheme::{Equivariant, Step};
 use crate::stage_frame::StageFrame;
-use crate::{CHECKPOINT, Equivariant, Integrator, StateIsMomentum, Step, StepError, VectorField};
+use crate::stages::checkpoints::CHECKPOINT;
+use crate::vector_field::VectorField;
 use lie_poisson::{Covector, LieAlgebra, LiePoisson, Real, Sites, SitesHamiltonian, State};
 use momentum_map::{Multiplier, Multipliers};
 use std::cell::RefCell;

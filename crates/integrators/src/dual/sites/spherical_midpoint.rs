@@ -1,8 +1,13 @@
 //! The spherical midpoint method: [`SphericalMidpoint`].
 
+use crate::dual::state_is_momentum::StateIsMomentum;
+use crate::dual::trajectories::integrator::Integrator;
+use crate::error::StepError;
 use crate::iteration::convergence::unknown;
 use crate::iteration::stage_scale::OwnScale;
-use crate::{Integrator, StageSolver, StateIsMomentum, Step, StepError, VectorField};
+use crate::iteration::stage_solver::StageSolver;
+use crate::schemes::scheme::Step;
+use crate::vector_field::VectorField;
 use lie_poisson::{Covector, Mask, Power, Real, Sites, State, Vector};
 use nalgebra::Vector3;
 

@@ -1,8 +1,9 @@
 //! Integrators on 𝔤∗, their states and momenta, and their trajectories.
 
 use super::sample::Sample;
+use crate::error::{IntegrationError, StepError};
+use crate::schemes::scheme::Step;
 use crate::stages::checkpoints::{CHECKPOINT, blocks};
-use crate::{IntegrationError, Step, StepError};
 use core::iter::StepBy;
 use core::num::NonZero;
 use core::ops::Range;

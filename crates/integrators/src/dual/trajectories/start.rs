@@ -1,7 +1,7 @@
 //! Trajectories from momenta: [`Start`].
 
 use super::integrator::{Integrator, SampleOf, Trajectory};
-use crate::{IntegrationError, RunError, StepError};
+use crate::error::{IntegrationError, RunError, StepError};
 use lie_poisson::Real;
 use momentum_map::LiftError;
 

@@ -1,8 +1,9 @@
 //! The adjoint representation of a group: [`Adjoint`].
 
-use crate::{
-    AlgebraElement, GroupMomentum, GroupRepresentation, LieAlgebra, LieGroup, Real, Representation,
-};
+use crate::algebras::algebra::LieAlgebra;
+use crate::algebras::group::{AlgebraElement, GroupMomentum, LieGroup};
+use crate::representations::representation::{GroupRepresentation, Representation};
+use generic_scalars::Real;
 
 /// The adjoint representation of a group on its Lie algebra: g ξ = Ad_g ξ, ad_ξ η = [ξ, η].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,12 +1,11 @@
 //! Representations extended by a cocycle: [`CocycleExtension`].
 
-use crate::representations::cocycle::{largest_element, nonzero};
+use crate::algebras::algebra::{LieAlgebra, Momentum};
+use crate::representations::cocycle::{Cocycle, CocycleError, largest_element, nonzero};
 use crate::representations::derived::contragredient::Contragredient;
 use crate::representations::derived::infinitesimal_adjoint::InfinitesimalAdjoint;
-use crate::{
-    Cocycle, CocycleError, Covector, LieAlgebra, Momentum, Pair, Real, Representation,
-    RepresentedElement, Vector,
-};
+use crate::representations::representation::{Representation, RepresentedElement};
+use generic_scalars::{Covector, Pair, Real, Vector};
 use nalgebra::Vector1;
 
 /// The representation of 𝔤 on V ⊕ R that extends a representation on V by a [`Cocycle`] c:

@@ -1,6 +1,8 @@
 //! The representation on the dual space: [`Contragredient`].
 
-use crate::{Covector, Momentum, Real, Representation, RepresentedElement};
+use crate::algebras::algebra::Momentum;
+use crate::representations::representation::{Representation, RepresentedElement};
+use generic_scalars::{Covector, Real};
 
 /// The contragredient of a representation on V, which is the representation ξα = −ξᵀα on V∗.
 ///

@@ -1,9 +1,11 @@
 //! Several copies of one representation: [`Diagonal`].
 
-use crate::{
-    AlgebraElement, Covector, GroupRepresentation, LieGroup, Momentum, Power, Real, Representation,
-    RepresentedElement, Vector,
+use crate::algebras::algebra::Momentum;
+use crate::algebras::group::{AlgebraElement, LieGroup};
+use crate::representations::representation::{
+    GroupRepresentation, Representation, RepresentedElement,
 };
+use generic_scalars::{Covector, Power, Real, Vector};
 
 /// The diagonal representation on N copies of V: ξ (v₁, …, v_N) = (ξv₁, …, ξv_N).
 ///

@@ -1,6 +1,8 @@
 //! The adjoint representation of a Lie algebra: [`InfinitesimalAdjoint`].
 
-use crate::{LieAlgebra, Momentum, Real, Representation};
+use crate::algebras::algebra::{LieAlgebra, Momentum};
+use crate::representations::representation::Representation;
+use generic_scalars::Real;
 
 /// The adjoint representation of a Lie algebra on itself, ξ η = `ad_ξ η` = [ξ, η].
 ///

@@ -1,9 +1,12 @@
 //! Representations that G ⋉ V inherits from G: [`Inherited`].
 
-use crate::{
-    Covector, GroupRepresentation, LieGroup, Momentum, Pair, Real, Representation,
-    RepresentedElement, SemidirectAlgebra, SemidirectGroup, Vector,
+use crate::algebras::algebra::Momentum;
+use crate::algebras::group::LieGroup;
+use crate::representations::representation::{
+    GroupRepresentation, Representation, RepresentedElement,
 };
+use crate::representations::semidirect::{SemidirectAlgebra, SemidirectGroup};
+use generic_scalars::{Covector, Pair, Real, Vector};
 
 /// The representation of G ⋉ V on V, or on any other space on which G acts, through the quotient G: (g, v) w = g w.
 ///

@@ -1,9 +1,11 @@
 //! The direct sum of two representations: [`Sum`].
 
-use crate::{
-    AlgebraElement, Covector, GroupRepresentation, LieGroup, Momentum, Pair, Real, Representation,
-    RepresentedElement,
+use crate::algebras::algebra::Momentum;
+use crate::algebras::group::{AlgebraElement, LieGroup};
+use crate::representations::representation::{
+    GroupRepresentation, Representation, RepresentedElement,
 };
+use generic_scalars::{Covector, Pair, Real};
 
 /// The direct sum of two representations of one algebra: ξ (v, w) = (ξv, ξw).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,7 +1,8 @@
 //! Powers of Poisson maps: [`PowerMap`].
 
+use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
-use crate::{FibreSymmetry, Lift, LiftError, RecentringSpace};
+use crate::maps::recentring::RecentringSpace;
 use lie_poisson::{
     Covector, Differential, LieAlgebra, LiePoisson, Power, PowerAlgebra, PowerSpace, Real, Vector,
     map_coordinates,

@@ -1,8 +1,9 @@
 //! Products of maps to duals of Lie algebras: [`ProductAlgebraMap`].
 
+use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
 use crate::maps::products::ProductMap;
-use crate::{FibreSymmetry, Lift, LiftError, RecentringSpace};
+use crate::maps::recentring::RecentringSpace;
 use lie_poisson::{
     Covector, Differential, LieAlgebra, LiePoisson, Pair, ProductAlgebra, ProductSpace, Real, Sign,
     from_parts,

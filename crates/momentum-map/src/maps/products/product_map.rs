@@ -1,7 +1,8 @@
 //! Products of Poisson maps: [`ProductMap`].
 
+use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
-use crate::{FibreSymmetry, Lift, LiftError, RecentringSpace};
+use crate::maps::recentring::RecentringSpace;
 use lie_poisson::{Differential, Pair, ProductSpace, Real, from_parts, parts};
 
 /// The product (M, N): P₁ × P₂ → Q₁ × Q₂ of two Poisson maps.

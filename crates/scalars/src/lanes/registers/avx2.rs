@@ -4,7 +4,7 @@
 use super::super::four::Permuted;
 use super::intrinsics::{intrinsics, mask_of_bits, register};
 use super::register::Register;
-use crate::Mask;
+use crate::numbers::mask::Mask;
 use core::arch::x86_64::{
     __m256d, _CMP_LE_OQ, _mm256_add_pd, _mm256_and_pd, _mm256_andnot_pd, _mm256_blendv_pd,
     _mm256_broadcastsd_pd, _mm256_castpd256_pd128, _mm256_cmp_pd, _mm256_div_pd, _mm256_fmadd_pd,

@@ -3,7 +3,7 @@
 
 use super::intrinsics::{intrinsics, register};
 use super::register::Register;
-use crate::Mask;
+use crate::numbers::mask::Mask;
 use core::arch::x86_64::{
     __m512d, __mmask8, _CMP_LE_OQ, _mm512_abs_pd, _mm512_add_pd, _mm512_cmp_pd_mask, _mm512_div_pd,
     _mm512_fmadd_pd, _mm512_fmsub_pd, _mm512_fnmadd_pd, _mm512_mask_blend_pd, _mm512_max_pd,

@@ -1,7 +1,7 @@
 //! Two lanes in plain Rust, for processors whose registers are not known.
 
 use super::register::Register;
-use crate::Mask;
+use crate::numbers::mask::Mask;
 
 /// Two numbers; products and sums are rounded separately, as for `f64`.
 #[derive(Clone, Copy)]
@@ -118,7 +118,8 @@ mod tests {
     use super::Plain;
     use crate::lanes::packed::Packed;
     use crate::lanes::registers::register::Two;
-    use crate::{DefaultLanes, Lanes, Mask};
+    use crate::lanes::{DefaultLanes, Lanes};
+    use crate::numbers::mask::Mask;
     use proptest::prelude::*;
 
     /// Runs every operation and returns the bits of the results.

@@ -1,6 +1,6 @@
 //! Registers of several `f64` as the processor offers them, and pairs of registers.
 
-use crate::Mask;
+use crate::numbers::mask::Mask;
 
 /// A register of `COUNT` numbers with the operations of the processor, which round in each lane as `f64`
 /// does.

@@ -3,7 +3,7 @@
 
 use super::intrinsics::{intrinsics, mask_of_bits, register};
 use super::register::Register;
-use crate::Mask;
+use crate::numbers::mask::Mask;
 use core::arch::x86_64::{
     __m128d, _mm_add_pd, _mm_and_pd, _mm_andnot_pd, _mm_cmple_pd, _mm_div_pd, _mm_max_pd,
     _mm_movemask_pd, _mm_mul_pd, _mm_or_pd, _mm_set1_pd, _mm_sqrt_pd, _mm_sub_pd, _mm_xor_pd,

@@ -1,7 +1,7 @@
 //! The functions of [`Real`] on dual numbers, by the chain rule.
 
 use super::number::DualNumber;
-use crate::Real;
+use crate::numbers::real::Real;
 
 impl<T: Real> Real for DualNumber<T> {
     const HAS_SLOW_PATHS: bool = T::HAS_SLOW_PATHS;

@@ -1,6 +1,6 @@
 //! Dual numbers over any scalar, for exact first derivatives: [`DualNumber`].
 
-use crate::Real;
+use crate::numbers::real::Real;
 
 /// A dual number x + ε x′ with ε² = 0, which carries a value and its exact first derivative.
 ///

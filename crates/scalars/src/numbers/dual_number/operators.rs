@@ -1,7 +1,7 @@
 //! The operators of [`DualNumber`].
 
 use super::number::DualNumber;
-use crate::Real;
+use crate::numbers::real::Real;
 use core::ops::{
     Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign,
 };

@@ -1,7 +1,7 @@
 //! The orbit of one start: its points on the section.
 
-use crate::Error;
 use crate::commands::section::settings::Settings;
+use crate::errors::Error;
 use crate::supervision::TileOptions;
 use crate::supervision::tiled_run::interrupted;
 

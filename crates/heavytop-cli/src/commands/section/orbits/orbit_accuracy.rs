@@ -2,8 +2,8 @@
 
 use super::orbit::Orbit;
 use super::orbit_tiles::Orbits;
-use crate::Error;
 use crate::commands::section::settings::Settings;
+use crate::errors::Error;
 use crate::runs::run_check::worse;
 use collective_integrators::diagnostics::RunAccuracy;
 use rayon::prelude::*;

@@ -1,9 +1,9 @@
 //! The starts of a section, computed in tiles that outlast an interruption.
 
 use super::orbit::{Crossing, Orbit, orbit};
-use crate::Error;
 use crate::commands::section::settings::Settings;
 use crate::configuration::Config;
+use crate::errors::Error;
 use crate::supervision::tiled_run::interrupted;
 use crate::supervision::{TileOptions, Tiles};
 use rayon::prelude::*;

@@ -2,8 +2,8 @@
 //! section is drawn.
 
 use super::limits::Limits;
-use crate::Error;
 use crate::configuration::SectionConfig;
+use crate::errors::Error;
 use collective_integrators::diagnostics::RunAccuracy;
 use collective_integrators::{AnyState, Direction, Events, Start};
 use heavytop::methods::Method;

@@ -3,9 +3,8 @@
 use super::limits::Limits;
 use super::section_problem::{Drawing, SectionProblem, visit_returns};
 use super::top_problem::{crossed, followed};
-use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig, SystemConfig};
-use crate::errors::SystemTableError;
+use crate::errors::{Error, SystemTableError};
 use crate::pictures::caption::{self, number};
 use crate::vocabulary::brief;
 use collective_integrators::Direction;

@@ -2,8 +2,8 @@
 
 use super::limits::Limits;
 use super::section_problem::{Drawing, SectionProblem};
-use crate::Error;
 use crate::configuration::{Config, Integration, SectionConfig};
+use crate::errors::Error;
 use crate::pictures::caption::{self, number};
 use collective_integrators::Direction;
 use heavytop::methods::{Formulation, Method};

@@ -1,9 +1,8 @@
 //! The interface of the families of motions that sweeps follow.
 
 use super::course::Course;
-use crate::Error;
 use crate::configuration::{Column, Integration, Observable, SweepAxis};
-use crate::errors::SweepError;
+use crate::errors::{Error, SweepError};
 use crate::runs::Schedule;
 use collective_integrators::diagnostics::RunAccuracy;
 use heavytop::methods::{Formulation, Method};

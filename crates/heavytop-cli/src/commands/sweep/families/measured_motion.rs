@@ -2,8 +2,8 @@
 
 use super::course::Course;
 use super::gauge::Gauge;
-use crate::Error;
 use crate::configuration::Observable;
+use crate::errors::Error;
 use collective_integrators::{AnyIntegrator, AnyState, AnyTangents};
 use heavytop::methods::Method;
 use lie_poisson_runs::TangentGrowth;

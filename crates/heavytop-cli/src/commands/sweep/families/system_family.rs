@@ -5,11 +5,10 @@ use super::family::{Family, own_integration, require_apart};
 use super::gauge::{Gauge, Quantity, in_columns};
 use super::measured_motion::measure;
 use super::varied_number::{VariedNumber, component};
-use crate::Error;
 use crate::configuration::{
     Column, Config, Integration, Numbers, Observable, Parameter, SweepAxis, SystemConfig,
 };
-use crate::errors::SweepError;
+use crate::errors::{Error, SweepError};
 use crate::pictures::caption::{number, vector_of};
 use crate::vocabulary::brief;
 use collective_integrators::AnyState;

@@ -5,12 +5,11 @@ use super::family::{Family, own_integration, require_apart};
 use super::fixed_values::fixed_values;
 use super::gauge::{Gauge, Quantity};
 use super::measured_motion::measure;
-use crate::Error;
 use crate::configuration::{
     BodyConfig, Column, Config, Inertia, InitialConfig, Integration, Observable, Parameter,
     SweepAxis, TopParameter,
 };
-use crate::errors::SweepError;
+use crate::errors::{Error, SweepError};
 use collective_integrators::AnyState;
 use heavytop::Invariant;
 use heavytop::methods::{Formulation, Method};

@@ -1,7 +1,7 @@
 //! The colours of a heat map: their range, the bar that explains them, and the pixels.
 
-use crate::Error;
 use crate::configuration::{Column, Observable};
+use crate::errors::Error;
 use crate::pictures::colour_scale::colour;
 use crate::pictures::{Axis, Scale};
 use resvg::tiny_skia::{ColorU8, Pixmap};

@@ -1,9 +1,9 @@
 //! The heat map of a grid with two axes, as SVG.
 
 use super::colours::{NONE, bar_scale, pixels, range};
-use crate::Error;
 use crate::commands::sweep::sweep_plan::Plan;
 use crate::configuration::{Column, Spread, SweepAxis};
+use crate::errors::Error;
 use crate::pictures::caption::{self, number};
 use crate::pictures::frame::{EDGE, HEIGHT, TEXT, WIDTH};
 use crate::pictures::lettering::width;

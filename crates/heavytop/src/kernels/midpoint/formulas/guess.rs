@@ -186,7 +186,7 @@ impl<V: RegisterVector> Guess<V> {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::HeavyTop;
+    use crate::tops::top::HeavyTop;
     use nalgebra::Vector3;
 
     /// A sphere turns about e₃ by the angle of a, so that the correction turns Γ by 4n d about e₃. Here that is below

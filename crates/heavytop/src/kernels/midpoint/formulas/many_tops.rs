@@ -4,7 +4,7 @@ use super::components::{Components, TopState};
 use super::extrapolation::Extrapolation;
 use super::midpoint_parameters::MidpointParameters;
 use super::step::step;
-use crate::HeavyTop;
+use crate::tops::top::HeavyTop;
 use collective_integrators::LaneResults;
 use lie_poisson::{Lanes, Mask, Se3Dual};
 

@@ -2,7 +2,7 @@
 
 use super::components::{Components, each};
 use super::in_register::{InRegister, Stored};
-use crate::HeavyTop;
+use crate::tops::top::HeavyTop;
 use lie_poisson::{FourLanes, Lanes, larger};
 
 /// The bound of the error after the correction of a guess, as a multiple of |a|, below which the guess is accepted.

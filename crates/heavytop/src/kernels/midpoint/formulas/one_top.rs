@@ -5,7 +5,7 @@ use super::extrapolation::Extrapolation;
 use super::in_register::{InRegister, Stored, vector};
 use super::midpoint_parameters::{MidpointParameters, numbers};
 use super::step::step;
-use crate::HeavyTop;
+use crate::tops::top::HeavyTop;
 use collective_integrators::Step;
 use lie_poisson::{FourLanes, FourLanesTask, InstructionSet, Mask, Se3Dual, dispatch_four};
 use nalgebra::Vector3;

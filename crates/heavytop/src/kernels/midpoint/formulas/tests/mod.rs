@@ -8,7 +8,7 @@ use super::guess::Guess;
 use super::midpoint_parameters::{MidpointParameters, SQUARED_FLOOR};
 use super::register_vector::RegisterVector;
 use super::{GuessHistory, Member, together};
-use crate::{Body, HeavyTop};
+use crate::tops::top::{Body, HeavyTop};
 use collective_integrators::{
     CHECKPOINT, IntegrationError, LaneKernel, LaneResults, Registers, StepError,
 };
