@@ -47,6 +47,7 @@
 //! | the vector field of a closure, or of a Hamiltonian | [`from_fn`], [`HamiltonianField`] |
 //! | a vector field over every scalar, or on points stored on the heap | [`VectorField`] |
 //! | storage for the evaluations of such a field | [`StoragePool`] |
+//! | to count the evaluations of a field, or to watch the steps of a scheme or an integrator | [`Observed`] |
 //! | a scheme or an integrator of your own | [`Scheme`], [`Equivariant`]; [`Integrator`], [`StateIsMomentum`] |
 //! | other settings for the stage equations | [`StageSolver`] |
 //! | smaller rounding errors in long runs | [`Compensated`] |
@@ -103,6 +104,7 @@ mod natural_scales;
 mod stages;
 mod schemes;
 mod dual;
+mod observed;
 mod splittings;
 mod runs;
 mod batch;
@@ -142,12 +144,14 @@ pub use erased::{
     AnyIntegrator, AnyStart, AnyState, AnySteps, AnyTangents, AnyWorkspace, ByPointer,
 };
 pub use error::{IntegrationError, RunError, SchemeError, StepError};
+pub use observed::Observed;
 pub use runs::crossing::Direction;
 pub use runs::dense_output::{DenseOutput, DenseOutputError};
 pub use runs::event_search::EventSearch;
 pub use runs::event_values::EventError;
 pub use runs::events::Events;
 
+pub use iteration::lane_problem::{LaneProblem, Outcome};
 pub use iteration::stage_solver::{StageSolver, Unconverged};
 pub use schemes::partitioned::{PartitionedRungeKutta, PartitionedSpace};
 pub use schemes::polarisation::{Alternating, FirstHalf, Polarisation};
@@ -158,6 +162,7 @@ pub use splittings::exact_flows::ExactFlows;
 pub use splittings::flow_sequence::{FlowSequence, LieTrotter, Strang};
 pub use splittings::splitting::Splitting;
 pub use splittings::tao::TaoFlows;
+pub use stage_frame::StageFrame;
 pub use stages::checkpoints::CHECKPOINT;
 pub use stages::extrapolation::lagrange_polynomial;
 pub use stages::lane_field::LaneField;

@@ -4,9 +4,9 @@ use lie_poisson::State;
 
 /// Coordinates in which the stage solver remembers stage derivatives k from step to step, to predict those that follow.
 ///
-/// A field has a frame other than [`OwnFrame`] if each step has its own coordinates. The multipliers of
-/// [`LiftFree`](crate::LiftFree) are such a case: they begin every step at Q = 1. The trait cannot be named outside
-/// this crate, and no scheme calls it.
+/// A field has a frame of its own if each step has its own coordinates. The multipliers of
+/// [`LiftFree`](crate::LiftFree) are such a case: they begin every step at Q = 1. The solver of stage equations calls
+/// the methods; a scheme has no reason to do so.
 pub trait StageFrame<V> {
     /// Returns whether the step continues the one before it wherever it starts.
     ///

@@ -88,10 +88,10 @@ pub trait VectorField<T: Real = f64> {
         None
     }
 
-    /// Solves stage equations with one stage in each SIMD lane, if the field supports that.
+    /// Solves stage equations with one stage in each SIMD lane, or returns `None` if it does not, as the default.
     ///
-    /// Only the field of [`StagesInLanes`](crate::StagesInLanes) has a reason to change the default.
-    #[doc(hidden)]
+    /// [`StagesInLanes`](crate::StagesInLanes) makes its steps with a field that does. A field that wraps another one
+    /// passes the call on, as [`Observed`](crate::Observed) does; otherwise the stages are computed one by one.
     #[cfg_attr(optimised, inline(always))]
     fn solve_in_lanes(
         &self,
@@ -100,16 +100,46 @@ pub trait VectorField<T: Real = f64> {
         None
     }
 
-    /// Returns the coordinates in which the stage solver remembers stage derivatives.
+    /// Returns the coordinates in which the stage solver remembers stage derivatives from step to step. The default is
+    /// for a field whose coordinates are the same in every step.
     ///
-    /// Only the field of [`LiftFree`](crate::LiftFree) has a reason to change the default.
-    #[doc(hidden)]
+    /// [`LiftFree`](crate::LiftFree) makes its steps with a field that has others. A field that wraps another one passes
+    /// the call on, as [`Observed`](crate::Observed) does; otherwise nothing is predicted.
     #[cfg_attr(optimised, inline(always))]
     fn stage_frame(&self) -> impl StageFrame<Self::Point>
     where
         Self: Sized,
     {
         OwnFrame
+    }
+}
+
+/// A reference to a field is that field, so that a wrapper can hold one.
+impl<T: Real, F: VectorField<T>> VectorField<T> for &F {
+    type Point = F::Point;
+
+    #[cfg_attr(optimised, inline(always))]
+    fn at(&self, z: &F::Point) -> F::Point {
+        (**self).at(z)
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn at_into(&self, z: &F::Point, value: &mut F::Point) {
+        (**self).at_into(z, value);
+    }
+
+    fn derivative(&self, z: &F::Point, v: &F::Point) -> Option<F::Point> {
+        (**self).derivative(z, v)
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn solve_in_lanes(&self, problem: &mut LaneProblem<'_, F::Point>) -> Option<Outcome<F::Point>> {
+        (**self).solve_in_lanes(problem)
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn stage_frame(&self) -> impl StageFrame<F::Point> {
+        (**self).stage_frame()
     }
 }
 

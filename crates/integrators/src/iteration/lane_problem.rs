@@ -8,10 +8,15 @@ use crate::iteration::stage_solver::{StageSolver, Unconverged};
 use core::hint::black_box;
 use lie_poisson::{Lanes, Mask, Real, State, Vector};
 
-/// The number of iterations, or the error of the iteration.
+/// The number of iterations in the solution of stage equations, or the error of the iteration.
 pub type Outcome<V> = Result<usize, Unconverged<MaskOf<V>>>;
 
 /// The stage equations k_i = X(z + h Σ_j a_ij k_j) of a step over `f64`, with a guess of their solution.
+///
+/// A [`VectorField`](crate::VectorField) that wraps another one passes it on to [`VectorField::solve_in_lanes`] of that
+/// one.
+///
+/// [`VectorField::solve_in_lanes`]: crate::VectorField::solve_in_lanes
 #[derive(Debug)]
 pub struct LaneProblem<'a, V: State> {
     pub(crate) columns: &'a StageColumns,

@@ -16,8 +16,8 @@ use lie_poisson::{
     note = "a closure serves `f64` alone: implement `VectorField<T>` or `Hamiltonian<_, T>` for every `T: Real`"
 )]
 pub trait LaneField: VectorField<f64, Point: Vector<Scalar = f64>> {
-    /// Solves stage equations with one stage in each lane of a register, if the processor has the instructions.
-    #[doc(hidden)]
+    /// Solves stage equations with one stage in each lane of a register. Returns `None` if the processor lacks the
+    /// instructions.
     fn solve_over_lanes(
         &self,
         instructions: InstructionSet,

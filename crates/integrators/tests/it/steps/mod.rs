@@ -3,6 +3,7 @@
 mod advance;
 mod any_integrator;
 mod multipliers_of_steps;
+mod observed;
 mod stage_solver;
 mod stages_in_lanes;
 mod storage_pool;
