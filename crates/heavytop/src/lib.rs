@@ -101,10 +101,10 @@ pub use closed_forms::euler_top::EulerSolution;
 pub use closed_forms::lagrange_nutation::LagrangeNutation;
 pub use error::{TopError, UNIT_TOLERANCE, require_unit};
 pub use kernels::gauss_many::gauss_batch::GaussBatch;
-pub use kernels::gauss_one::collective_gauss::{CollectiveGauss, CollectiveGaussSpace};
+pub use kernels::gauss_one::collective_gauss::{CollectiveGauss, CollectiveGaussWorkspace};
 pub use kernels::midpoint::midpoint_batch::MidpointBatch;
-pub use kernels::midpoint::reduced_midpoint::{ReducedMidpoint, ReducedMidpointSpace};
-pub use kernels::midpoint::top_midpoint::{TopMidpoint, TopMidpointSpace};
+pub use kernels::midpoint::reduced_midpoint::{ReducedMidpoint, ReducedMidpointWorkspace};
+pub use kernels::midpoint::top_midpoint::{TopMidpoint, TopMidpointWorkspace};
 pub use kernels::symmetric::symmetric_batch::SymmetricTopBatch;
 pub use paper::spinor_motions::{
     SPINOR_MOTIONS, SpinorAlgebra, SpinorGroup, SpinorMomentum, SpinorMotions,

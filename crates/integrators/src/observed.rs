@@ -1,10 +1,10 @@
 //! Fields, schemes and integrators that say when they are called: [`Observed`].
 
-use crate::dual::compensated::Increments;
-use crate::dual::lanes::field_in_lanes::FieldInLanes;
-use crate::dual::trajectories::integrator::Integrator;
-use crate::dual::trajectories::start::Start;
 use crate::error::{IntegrationError, StepError};
+use crate::integrators::compensated::Increments;
+use crate::integrators::lanes::field_in_lanes::FieldInLanes;
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
 use crate::iteration::lane_problem::{LaneProblem, Outcome};
 use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
 use crate::stage_frame::StageFrame;

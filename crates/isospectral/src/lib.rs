@@ -93,9 +93,9 @@ pub use fields::isospectral_field::IsospectralField;
 pub use matrices::large_matrix::LargeMatrix;
 pub use matrices::products::Products;
 pub use matrices::skew_hermitian::LargeSkewHermitian;
-pub use methods::exponential_midpoint::{ExponentialMidpoint, ExponentialSpace};
-pub use methods::gauss_magnus::{GaussMagnus, MagnusSpace};
-pub use methods::isospectral_runge_kutta::{IsospectralRungeKutta, IsospectralSpace};
+pub use methods::exponential_midpoint::{ExponentialMidpoint, ExponentialWorkspace};
+pub use methods::gauss_magnus::{GaussMagnus, MagnusWorkspace};
+pub use methods::isospectral_runge_kutta::{IsospectralRungeKutta, IsospectralWorkspace};
 
 pub use collective_integrators;
 pub use faer;

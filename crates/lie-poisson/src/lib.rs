@@ -91,8 +91,8 @@ pub mod laws;
 pub use generic_scalars::{
     BlockScales, Blocks, ComplexSpace, Covector, DefaultLanes, Differential, DualNumber, FourLanes,
     FourLanesTask, InstructionSet, LaneTask, Lanes, Mask, MissingInstructions, Pair, Point, Power,
-    Quaternion, Real, RealSpace, Sites, State, StorageOver, TaskOver, UnfusedSpace, UnfusedStorage,
-    UnfusedTask, Vector, VectorSpace, Width, constant_times, constant_transpose_times, cross,
+    Quaternion, Real, RealSpace, Sites, State, StorageOver, TaskOver, UnfusedStorage, UnfusedTask,
+    UnfusedWorkspace, Vector, VectorSpace, Width, constant_times, constant_transpose_times, cross,
     derivative_part, differential, dispatch, dispatch_four, dispatch_unfused, dot, euclidean_norm,
     larger, map_coordinates, nearest_power_of_two, seed, solve_linear, squaring_scale,
     state_by_value, transposed_tangent,

@@ -122,7 +122,7 @@ pub use maps::poisson_map::{
 };
 pub use maps::products::{DifferentSigns, PowerMap, ProductAlgebraMap, ProductMap};
 pub use maps::quadratic_momentum_map::QuadraticMomentumMap;
-pub use maps::recentring::{Far, RecentringSpace};
+pub use maps::recentring::{Far, RecentringWorkspace};
 pub use maps::symplectic_representation::{
     Reversed, So3OnC2, Symplectic, SymplecticRepresentation,
 };

@@ -83,7 +83,7 @@ mod calculus;
 
 pub use lanes::{
     DefaultLanes, FourLanes, FourLanesTask, InstructionSet, LaneTask, Lanes, MissingInstructions,
-    StorageOver, TaskOver, UnfusedSpace, UnfusedStorage, UnfusedTask, Width, dispatch,
+    StorageOver, TaskOver, UnfusedStorage, UnfusedTask, UnfusedWorkspace, Width, dispatch,
     dispatch_four, dispatch_unfused,
 };
 pub use numbers::blocks::Blocks;

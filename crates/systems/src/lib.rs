@@ -108,7 +108,7 @@ pub use rigid_body::generalised_rigid_body::GeneralisedRigidBody;
 pub use spaces::spin_space::{SpinSpace, Spins};
 pub use spin_chain::heisenberg_chain::HeisenbergChain;
 pub use spin_lattice::heisenberg_lattice::HeisenbergLattice;
-pub use spin_lattice::lattice_midpoint::{LatticeMidpoint, LatticeSpace};
+pub use spin_lattice::lattice_midpoint::{LatticeMidpoint, LatticeWorkspace};
 pub use spin_lattice::vibrating_lattice::{SpinLattice, SpinLatticeSpace};
 pub use vortices::many_vortices::ManyVortices;
 pub use vortices::point_vortices::PointVortices;

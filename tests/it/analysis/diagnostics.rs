@@ -6,8 +6,8 @@ use collective_integrators::diagnostics::{
     symplecticity_defect, tangent_map,
 };
 use collective_integrators::{
-    Collective, Direct, HamiltonianField, LiftFree, RungeKutta, Sample, Scheme, StageSpace, Start,
-    Step, StepError, VectorField,
+    Collective, Direct, HamiltonianField, LiftFree, RungeKutta, Sample, Scheme, StageWorkspace,
+    Start, Step, StepError, VectorField,
 };
 use heavytop::{HeavyTop, HeavyTopSpace, Invariant, SpinorPoint, SpinorRealisation};
 use lie_poisson::{
@@ -162,9 +162,9 @@ fn symmetric_methods_are_reversible() -> Outcome {
 struct Stretched(RungeKutta);
 
 impl Scheme for Stretched {
-    type Workspace<V: State> = StageSpace<V>;
+    type Workspace<V: State> = StageWorkspace<V>;
 
-    fn workspace<V: State>(&self) -> StageSpace<V> {
+    fn workspace<V: State>(&self) -> StageWorkspace<V> {
         self.0.workspace()
     }
 
@@ -173,7 +173,7 @@ impl Scheme for Stretched {
         field: &F,
         z: &F::Point,
         step: f64,
-        workspace: &mut StageSpace<F::Point>,
+        workspace: &mut StageWorkspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
         let mut next = self.0.increment(field, z, step, workspace)?;
         let (first, change) = (z.entry(0), next.point.entry(0));
@@ -181,7 +181,7 @@ impl Scheme for Stretched {
         Ok(next)
     }
 
-    fn forget<V: State>(&self, workspace: &mut StageSpace<V>) {
+    fn forget<V: State>(&self, workspace: &mut StageWorkspace<V>) {
         self.0.forget(workspace);
     }
 

@@ -7,15 +7,15 @@ use lie_poisson::{
 };
 use momentum_map::{
     AffineAction, Cotangent, FibreSymmetry, HOPF, Lift, MomentumMap, Opposite, PARTICLE,
-    ParticleRealisation, PoissonMap, ProductMap, QuadraticMomentumMap, RecentringSpace, Reversed,
-    Side, SourcePoint,
+    ParticleRealisation, PoissonMap, ProductMap, QuadraticMomentumMap, RecentringWorkspace,
+    Reversed, Side, SourcePoint,
 };
 use nalgebra::{Vector2, Vector3};
 use proptest::prelude::*;
 use workspace_tests::{Quadratic, persistent, point};
 
 fn recentred<M: PoissonMap>(map: &M, z: &SourcePoint<M>) -> SourcePoint<M> {
-    map.recentred::<f64>(z, &mut RecentringSpace::default())
+    map.recentred::<f64>(z, &mut RecentringWorkspace::default())
 }
 
 type TwoFields = MomentumMap<Opposite<AffineAction<Diagonal<SO3OnR3, 2>>>>;
@@ -121,7 +121,7 @@ fn lanes_and_tangent_vectors_are_moved_alike() {
     let far = |i: usize| Cotangent::new(q + p * [0.0, 70.0, 1e5, 1.0][i], Covector(p));
     let lanes: SourcePoint<ParticleRealisation, DefaultLanes> =
         Vector::from_coordinates(|c| DefaultLanes::from_lanes(|i| far(i).coordinate(c)));
-    let together = PARTICLE.recentred::<DefaultLanes>(&lanes, &mut RecentringSpace::default());
+    let together = PARTICLE.recentred::<DefaultLanes>(&lanes, &mut RecentringWorkspace::default());
     for i in 0..4 {
         let alone = recentred(&PARTICLE, &far(i));
         assert!((0..6).all(|c| together.coordinate(c).lane(i) == alone.coordinate(c)), "{i}");
@@ -131,7 +131,7 @@ fn lanes_and_tangent_vectors_are_moved_alike() {
     let tangent =
         Cotangent::new(Vector3::new(1.0, 2.0, -0.5), Covector(Vector3::new(0.1, -0.3, 0.2)));
     let z: SourcePoint<ParticleRealisation, DualNumber> = seed(&far(1), &tangent);
-    let moved = PARTICLE.recentred::<DualNumber>(&z, &mut RecentringSpace::default());
+    let moved = PARTICLE.recentred::<DualNumber>(&z, &mut RecentringWorkspace::default());
     let image = |z| derivative_part::<f64, _, Se3Dual>(&PARTICLE.apply::<DualNumber>(z));
     assert!((image(&moved) - image(&z)).max_abs() < 1e-11);
     let value: SourcePoint<ParticleRealisation> =

@@ -36,7 +36,7 @@ struct Guarded {
 const ROUND_OFF: f64 = 1e-9;
 
 /// The storage of guarded steps: that of the integrator, and what changes are compared with.
-pub(super) struct GuardedSpace<W, V> {
+pub(super) struct GuardedWorkspace<W, V> {
     inner: W,
     /// The end of the last step.
     end: Option<V>,
@@ -145,11 +145,11 @@ impl Guarded {
 impl<T: Real, I: Integrator<T, Momentum: Vector>> Integrator<T> for InvariantGuard<I> {
     type State = I::State;
     type Momentum = I::Momentum;
-    type Workspace = GuardedSpace<I::Workspace, I::State>;
+    type Workspace = GuardedWorkspace<I::Workspace, I::State>;
 
     fn workspace(&self) -> Self::Workspace {
         let since = self.guarded.record();
-        GuardedSpace { inner: self.integrator.workspace(), end: None, since }
+        GuardedWorkspace { inner: self.integrator.workspace(), end: None, since }
     }
 
     fn step(
@@ -163,7 +163,7 @@ impl<T: Real, I: Integrator<T, Momentum: Vector>> Integrator<T> for InvariantGua
         if T::zero().as_f64().is_none() {
             return Ok(made);
         }
-        let GuardedSpace { end, since, .. } = workspace;
+        let GuardedWorkspace { end, since, .. } = workspace;
         if end.as_ref() != Some(state) {
             Guarded::take(&self.integrator.momentum(state), since);
             self.guarded.begin(since);

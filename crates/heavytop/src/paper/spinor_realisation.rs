@@ -5,7 +5,7 @@ use lie_poisson::{
     Vector, euclidean_norm, nearest_power_of_two, squaring_scale,
 };
 use momentum_map::{
-    Cotangent, CotangentBundle, FibreSymmetry, Lift, LiftError, PoissonMap, RecentringSpace,
+    Cotangent, CotangentBundle, FibreSymmetry, Lift, LiftError, PoissonMap, RecentringWorkspace,
     hopf_map, hopf_section, pauli,
 };
 use nalgebra::{Vector2, Vector3};
@@ -100,7 +100,11 @@ impl PoissonMap for SpinorRealisation {
 
     /// Returns z, since the [gauge](Self::gauge) keeps ‖χ‖ within √2 times its minimum.
     #[cfg_attr(optimised, inline(always))]
-    fn recentred<T: Real>(&self, z: &SpinorPoint<T>, _: &mut RecentringSpace<T>) -> SpinorPoint<T> {
+    fn recentred<T: Real>(
+        &self,
+        z: &SpinorPoint<T>,
+        _: &mut RecentringWorkspace<T>,
+    ) -> SpinorPoint<T> {
         *z
     }
 }

@@ -3,13 +3,13 @@
 use crate::batch::batch_integrator::BatchIntegrator;
 use crate::batch::group_engine::{Group, advance_groups};
 use crate::batch::lane_kernel::LaneResults;
-use crate::dual::lanes::fastest_set::FastestSet;
-use crate::dual::trajectories::integrator::Integrator;
 use crate::error::{IntegrationError, StepError};
+use crate::integrators::lanes::fastest_set::FastestSet;
+use crate::integrators::trajectories::integrator::Integrator;
 use core::ops::Range;
 use lie_poisson::{
-    DefaultLanes, InstructionSet, Lanes, MissingInstructions, StorageOver, TaskOver, UnfusedSpace,
-    UnfusedStorage, UnfusedTask, Vector, dispatch_unfused,
+    DefaultLanes, InstructionSet, Lanes, MissingInstructions, StorageOver, TaskOver,
+    UnfusedStorage, UnfusedTask, UnfusedWorkspace, Vector, dispatch_unfused,
 };
 
 /// The number of members of a run that is timed: they fill registers of every width.
@@ -116,12 +116,12 @@ impl<I: Integrator<T>, T: Lanes> StorageOver<T> for Laned<I> {
 
 /// The storage of a [`Laned`] integrator: the workspaces for the lanes of its registers and for members that fail
 /// there.
-pub struct LanedSpace<I>
+pub struct LanedWorkspace<I>
 where
     I: Integrator<f64> + Integrator<DefaultLanes>,
     Laned<I>: UnfusedStorage,
 {
-    lanes: UnfusedSpace<Laned<I>>,
+    lanes: UnfusedWorkspace<Laned<I>>,
     repeats: Repeats<I>,
 }
 
@@ -138,11 +138,11 @@ where
     for<'a> Advance<'a, I>: UnfusedTask<Laned<I>>,
 {
     type Member = <I as Integrator<f64>>::State;
-    type Workspace = LanedSpace<I>;
+    type Workspace = LanedWorkspace<I>;
 
-    fn workspace(&self) -> LanedSpace<I> {
+    fn workspace(&self) -> LanedWorkspace<I> {
         let lanes = self.lanes(self.instructions());
-        LanedSpace { lanes, repeats: Repeats { four: None, one: None } }
+        LanedWorkspace { lanes, repeats: Repeats { four: None, one: None } }
     }
 
     fn advance(
@@ -150,7 +150,7 @@ where
         members: &mut [Self::Member],
         step: f64,
         steps: Range<u64>,
-        LanedSpace { lanes, repeats }: &mut LanedSpace<I>,
+        LanedWorkspace { lanes, repeats }: &mut LanedWorkspace<I>,
         failed: &mut dyn FnMut(usize, IntegrationError),
     ) {
         let integrator = &self.integrator;
@@ -179,8 +179,8 @@ where
     Self: UnfusedStorage,
 {
     /// Returns the storage for the lanes of a set, for which the constructors have tested the processor.
-    fn lanes(&self, set: InstructionSet) -> UnfusedSpace<Self> {
-        UnfusedSpace::new(self, set).unwrap_or_else(|_| UnfusedSpace::portable(self))
+    fn lanes(&self, set: InstructionSet) -> UnfusedWorkspace<Self> {
+        UnfusedWorkspace::new(self, set).unwrap_or_else(|_| UnfusedWorkspace::portable(self))
     }
 }
 

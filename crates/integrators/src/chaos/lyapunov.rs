@@ -2,7 +2,7 @@
 
 use crate::chaos::tangent_integrator::{TangentIntegrator, VariationalError};
 use crate::chaos::variational_flow::VariationalFlow;
-use crate::dual::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::integrator::Integrator;
 use lie_poisson::State;
 
 /// The first K Lyapunov exponents of a trajectory up to the time t. In the limit they are in decreasing order:
@@ -158,7 +158,7 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dual::direct::Direct;
+    use crate::integrators::direct::Direct;
     use crate::schemes::runge_kutta::RungeKutta;
     use crate::vector_field::VectorField;
     use lie_poisson::Real;

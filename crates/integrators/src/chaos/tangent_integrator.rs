@@ -1,7 +1,7 @@
 //! Integrators that carry tangent vectors along: [`TangentIntegrator`], [`VariationalError`].
 
-use crate::dual::trajectories::integrator::Integrator;
 use crate::error::IntegrationError;
+use crate::integrators::trajectories::integrator::Integrator;
 use lie_poisson::{DualNumber, State};
 use thiserror::Error;
 

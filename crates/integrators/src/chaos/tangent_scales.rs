@@ -2,8 +2,8 @@
 
 use super::generic_tangent::generic_coordinate;
 use super::tangent_integrator::{DualStateOf, MomentumOf, StateOf, TangentIntegrator};
-use crate::dual::trajectories::integrator::Integrator;
 use crate::error::StepError;
+use crate::integrators::trajectories::integrator::Integrator;
 use crate::natural_scales::natural_scales;
 use lie_poisson::{BlockScales, DualNumber, State, larger};
 

@@ -2,8 +2,8 @@
 
 use super::tangent_integrator::{DualStateOf, MomentumOf, StateOf, TangentIntegrator};
 use super::tangent_scales::TangentScales;
-use crate::dual::trajectories::integrator::Integrator;
 use crate::error::StepError;
+use crate::integrators::trajectories::integrator::Integrator;
 use lie_poisson::{BlockScales, DualNumber, State, euclidean_norm, squaring_scale};
 
 /// Makes a step of the tangent vectors of a state, and writes the new ones to `spare`. It is compiled once for any number of

@@ -7,8 +7,8 @@ use super::tangent_integrator::{
 };
 use super::tangent_scales::{Prober, TangentScales};
 use super::tangent_steps::{image, normalise_images, step_tangents};
-use crate::dual::trajectories::integrator::Integrator;
 use crate::error::{IntegrationError, StepError};
+use crate::integrators::trajectories::integrator::Integrator;
 use crate::stages::checkpoints::CHECKPOINT;
 use lie_poisson::{DualNumber, State};
 
@@ -264,7 +264,7 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dual::direct::Direct;
+    use crate::integrators::direct::Direct;
     use crate::schemes::runge_kutta::RungeKutta;
     use crate::vector_field::VectorField;
     use lie_poisson::Real;

@@ -1,8 +1,8 @@
 //! The change of a conserved quantity along a run: [`Drift`].
 
 use super::OrderFitError;
-use crate::dual::trajectories::sample::Sample;
 use crate::error::IntegrationError;
+use crate::integrators::trajectories::sample::Sample;
 use lie_poisson::larger;
 use thiserror::Error;
 

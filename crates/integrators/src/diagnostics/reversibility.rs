@@ -1,7 +1,7 @@
 //! The symmetry of an integrator in time.
 
-use crate::dual::trajectories::integrator::Integrator;
 use crate::error::StepError;
+use crate::integrators::trajectories::integrator::Integrator;
 use lie_poisson::{BlockScales, Real, State};
 
 /// Returns |Φ₋ₕ(Φₕ(z)) − z| relative to the size of z: the defect of one step forwards and one step back.

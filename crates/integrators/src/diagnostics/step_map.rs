@@ -2,9 +2,9 @@
 
 use super::form_defects::{bracket_change, form_change};
 use super::tangent::linearised;
-use crate::dual::trajectories::integrator::Integrator;
-use crate::dual::trajectories::start::Start;
 use crate::error::StepError;
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
 use lie_poisson::{DualNumber, Point, PoissonSpace, Real};
 use momentum_map::{LiftError, SymplecticSpace};
 use thiserror::Error;

@@ -3,9 +3,9 @@
 use super::any_state::{AnyState, BlockEnds};
 use super::any_steps::{AnyStart, AnySteps, AnyTangents, AnyWorkspace, Erased};
 use crate::chaos::tangent_integrator::TangentIntegrator;
-use crate::dual::trajectories::integrator::Integrator;
-use crate::dual::trajectories::start::Start;
 use crate::error::{IntegrationError, StepError};
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
 use crate::schemes::scheme::Step;
 use core::fmt;
 use core::ops::Range;

@@ -1,9 +1,9 @@
 //! The steps of an integrator behind a pointer: [`AnySteps`], [`AnyStart`] and [`AnyTangents`].
 
 use super::any_state::{AnyState, BlockEnds};
-use crate::dual::trajectories::integrator::Integrator;
-use crate::dual::trajectories::start::Start;
 use crate::error::{IntegrationError, StepError};
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
 use crate::schemes::scheme::Step;
 use core::any::Any;
 use core::fmt;

@@ -5,8 +5,8 @@ use super::differences::{
     not_finite, point_or_nan,
 };
 use super::{Faulty, NoSamples, Report};
-use crate::dual::trajectories::integrator::{Integrator, SampleOf};
 use crate::error::StepError;
+use crate::integrators::trajectories::integrator::{Integrator, SampleOf};
 use crate::schemes::scheme::Step;
 use crate::stages::checkpoints::CHECKPOINT;
 use lie_poisson::{BlockScales, Real, State};

@@ -2,7 +2,7 @@
 
 use super::differences::at_least_one;
 use super::{NoSamples, Report};
-use crate::dual::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::integrator::Integrator;
 use lie_poisson::{State, larger};
 
 /// Evaluates the law `invariants`: an integrator conserves the given functions of the momentum.

@@ -3,7 +3,7 @@
 use super::GenericSystem;
 use super::differences::point_or_nan;
 use crate::diagnostics::{fitted_order, reversibility_defect, step_symplecticity_defect};
-use crate::dual::direct::Direct;
+use crate::integrators::direct::Direct;
 use crate::schemes::runge_kutta::RungeKutta;
 use crate::schemes::scheme::Scheme;
 use crate::vector_field::{VectorField, from_fn};

@@ -5,8 +5,8 @@ use super::differences::{
     not_finite,
 };
 use super::{Faulty, NoSamples, Report};
-use crate::dual::trajectories::integrator::SampleOf;
-use crate::dual::trajectories::start::Start;
+use crate::integrators::trajectories::integrator::SampleOf;
+use crate::integrators::trajectories::start::Start;
 use lie_poisson::Real;
 use momentum_map::LiftError;
 

@@ -1,6 +1,6 @@
 //! Sign changes of a function along a trajectory.
 
-use crate::dual::trajectories::integrator::{Integrator, SampleOf};
+use crate::integrators::trajectories::integrator::{Integrator, SampleOf};
 use crate::runs::event_values::{EventError, EventValues, Point, have_one_sign};
 use crate::runs::root_bracketing::Bracket;
 

@@ -1,7 +1,7 @@
 //! The states of a trajectory at any time: [`DenseOutput`].
 
-use crate::dual::trajectories::integrator::{Integrator, SampleOf};
 use crate::error::IntegrationError;
+use crate::integrators::trajectories::integrator::{Integrator, SampleOf};
 use crate::runs::partial_step::PartialStep;
 use thiserror::Error;
 
@@ -115,8 +115,8 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dual::direct::Direct;
     use crate::error::StepError;
+    use crate::integrators::direct::Direct;
     use crate::schemes::runge_kutta::RungeKutta;
     use crate::vector_field::from_fn;
     use nalgebra::Vector1;

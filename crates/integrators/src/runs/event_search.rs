@@ -1,6 +1,6 @@
 //! The search for events in samples that the caller supplies: [`EventSearch`].
 
-use crate::dual::trajectories::integrator::{Integrator, SampleOf};
+use crate::integrators::trajectories::integrator::{Integrator, SampleOf};
 use crate::runs::crossing::{Crossings, Direction};
 use crate::runs::event_values::{Approach, EventError, EventValues, Point};
 use crate::runs::pairs::StepBetween;

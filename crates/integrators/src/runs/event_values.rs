@@ -1,7 +1,7 @@
 //! The values of an event function g along a run: [`EventValues`].
 
-use crate::dual::trajectories::integrator::{Integrator, SampleOf};
 use crate::error::IntegrationError;
+use crate::integrators::trajectories::integrator::{Integrator, SampleOf};
 use crate::iteration::block_sizes::BlockSizes;
 use crate::runs::partial_step::PartialStep;
 use core::slice::from_ref;

@@ -1,7 +1,7 @@
 //! Events along a trajectory, such as Poincaré sections: [`Events`].
 
-use crate::dual::trajectories::integrator::{Integrator, SampleOf};
 use crate::error::IntegrationError;
+use crate::integrators::trajectories::integrator::{Integrator, SampleOf};
 use crate::runs::crossing::Direction;
 use crate::runs::event_search::EventSearch;
 use crate::runs::event_values::EventError;
@@ -144,7 +144,7 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dual::direct::Direct;
+    use crate::integrators::direct::Direct;
     use crate::schemes::runge_kutta::RungeKutta;
     use crate::vector_field::from_fn;
     use nalgebra::Vector1;

@@ -1,6 +1,6 @@
 //! The crossings within one step, of which there may be two: [`StepBetween`].
 
-use crate::dual::trajectories::integrator::{Integrator, SampleOf};
+use crate::integrators::trajectories::integrator::{Integrator, SampleOf};
 use crate::runs::crossing::Crossings;
 use crate::runs::event_values::{EventError, Point, have_one_sign};
 use crate::runs::minimum::Minimum;

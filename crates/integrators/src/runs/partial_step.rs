@@ -1,8 +1,8 @@
 //! Steps of partial size between the samples of a trajectory.
 
-use crate::dual::trajectories::integrator::{Integrator, SampleOf};
-use crate::dual::trajectories::sample::Sample;
 use crate::error::IntegrationError;
+use crate::integrators::trajectories::integrator::{Integrator, SampleOf};
+use crate::integrators::trajectories::sample::Sample;
 use crate::schemes::scheme::Step;
 use core::fmt;
 

@@ -174,17 +174,17 @@ impl<P: Polarisation> PartitionedRungeKutta<P> {
 ///
 /// The next stages are predicted from the last steps if q and p have their stages at the same times.
 #[derive(Clone, Debug)]
-pub struct PartitionedSpace<V: State> {
+pub struct PartitionedWorkspace<V: State> {
     k: Vec<V>,
     memory: StageHistory<V>,
     pool: V::Pool,
 }
 
 impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
-    type Workspace<V: State> = PartitionedSpace<V>;
+    type Workspace<V: State> = PartitionedWorkspace<V>;
 
-    fn workspace<V: State>(&self) -> PartitionedSpace<V> {
-        PartitionedSpace {
+    fn workspace<V: State>(&self) -> PartitionedWorkspace<V> {
+        PartitionedWorkspace {
             k: Vec::with_capacity(self.q.stages()),
             memory: StageHistory::new(&self.predictor),
             pool: V::Pool::default(),
@@ -197,9 +197,9 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
         field: &F,
         z: &F::Point,
         step: f64,
-        workspace: &mut PartitionedSpace<F::Point>,
+        workspace: &mut PartitionedWorkspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        let PartitionedSpace { k, memory, pool } = workspace;
+        let PartitionedWorkspace { k, memory, pool } = workspace;
         // A workspace from another method, or for another size, still gives the right result.
         fit(k, self.q.stages(), z);
         let (mut point, mut spare) = (F::Point::take(pool, z), F::Point::take(pool, z));
@@ -227,13 +227,13 @@ impl<P: Polarisation> Scheme for PartitionedRungeKutta<P> {
     #[inline]
     fn temporaries<'a, V: State>(
         &self,
-        workspace: &'a mut PartitionedSpace<V>,
+        workspace: &'a mut PartitionedWorkspace<V>,
     ) -> Option<&'a mut V::Pool> {
         Some(&mut workspace.pool)
     }
 
     #[inline]
-    fn forget<V: State>(&self, workspace: &mut PartitionedSpace<V>) {
+    fn forget<V: State>(&self, workspace: &mut PartitionedWorkspace<V>) {
         workspace.memory.forget();
     }
 

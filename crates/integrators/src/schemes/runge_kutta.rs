@@ -15,7 +15,7 @@ use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
 use crate::stages::branch::solve_on_branch;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
-use crate::stages::newton::NewtonSpace;
+use crate::stages::newton::NewtonWorkspace;
 use crate::sums::exact_combination::add_exactly;
 use crate::sums::halves::scale_evenly;
 use crate::tableaux::tableau::Tableau;
@@ -85,9 +85,9 @@ impl RungeKutta {
         field: &F,
         z: &F::Point,
         step: f64,
-        workspace: &mut StageSpace<F::Point>,
+        workspace: &mut StageWorkspace<F::Point>,
     ) -> Result<(usize, T::Mask), StepError> {
-        let StageSpace { k, small, memory, newton, pool, rows, .. } = workspace;
+        let StageWorkspace { k, small, memory, newton, pool, rows, .. } = workspace;
         for small in &mut *small {
             small.set_zero();
         }
@@ -143,7 +143,7 @@ impl RungeKutta {
         field: &F,
         z: &F::Point,
         step: f64,
-        workspace: &mut StageSpace<F::Point>,
+        workspace: &mut StageWorkspace<F::Point>,
     ) -> Result<(usize, T::Mask), StepError> {
         // A workspace from another method, or for another size, still gives the right result.
         fit(&mut workspace.k, self.tableau.stages(), z);
@@ -151,7 +151,7 @@ impl RungeKutta {
         if !self.is_explicit() {
             return self.solve_stages(field, z, step, workspace);
         }
-        let StageSpace { k, pool, .. } = workspace;
+        let StageWorkspace { k, pool, .. } = workspace;
         let mut stage = F::Point::take(pool, z);
         for (i, row) in self.tableau.rows().enumerate() {
             set_combination(&mut stage, &row[..i], k);
@@ -166,8 +166,8 @@ impl RungeKutta {
     /// Returns h Σ_i (b_i + low_i) k_i for the stage derivatives in the workspace, and records the end of the step
     /// there.
     #[cfg_attr(optimised, inline(always))]
-    fn end<V: State>(&self, z: &V, step: f64, workspace: &mut StageSpace<V>) -> V {
-        let StageSpace { k, memory, pool, .. } = workspace;
+    fn end<V: State>(&self, z: &V, step: f64, workspace: &mut StageWorkspace<V>) -> V {
+        let StageWorkspace { k, memory, pool, .. } = workspace;
         let (mut sum, mut change) = (V::take(pool, z), V::take(pool, z));
         set_combination(&mut sum, self.tableau.weights_low(), k);
         sum.add_combination(self.tableau.weights(), k);
@@ -251,33 +251,33 @@ fn is_plain_and_small<V: State>() -> bool {
 /// An implicit method predicts its stages from earlier steps. Vectors on the heap are allocated by the first step, and
 /// the matrix of Newton's iteration by the first step that needs it.
 #[derive(Clone, Debug)]
-pub struct StageSpace<V: State> {
+pub struct StageWorkspace<V: State> {
     k: Vec<V>,
     refinement: Refinement<V>,
     /// The sums Σ_j low_ij k_j with the low parts of the coefficients, once the stages are close; zero without them.
     small: Vec<V>,
     memory: StageHistory<V>,
     rows: StageRows,
-    newton: NewtonSpace<V::Scalar>,
+    newton: NewtonWorkspace<V::Scalar>,
     pool: V::Pool,
 }
 
 impl Equivariant for RungeKutta {}
 
 impl Scheme for RungeKutta {
-    type Workspace<V: State> = StageSpace<V>;
+    type Workspace<V: State> = StageWorkspace<V>;
 
-    fn workspace<V: State>(&self) -> StageSpace<V> {
+    fn workspace<V: State>(&self) -> StageWorkspace<V> {
         let room = || Vec::with_capacity(self.tableau.stages());
         let side_by_side = self.columns.is_some() && is_plain_and_small::<V>();
         let coordinates = if side_by_side { size_of::<V>() / size_of::<f64>() } else { 0 };
-        StageSpace {
+        StageWorkspace {
             k: room(),
             refinement: Refinement::with_room(self.tableau.stages()),
             small: room(),
             memory: StageHistory::new(&self.predictor),
             rows: StageRows::with_room(coordinates),
-            newton: NewtonSpace::default(),
+            newton: NewtonWorkspace::default(),
             pool: V::Pool::default(),
         }
     }
@@ -288,7 +288,7 @@ impl Scheme for RungeKutta {
         field: &F,
         z: &F::Point,
         step: f64,
-        workspace: &mut StageSpace<F::Point>,
+        workspace: &mut StageWorkspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
         // In wide registers the field has to be called at one place, to be inlined there.
         if T::HAS_SLOW_PATHS
@@ -313,7 +313,7 @@ impl Scheme for RungeKutta {
         field: &F,
         (z, e): (&F::Point, &F::Point),
         step: f64,
-        workspace: &mut StageSpace<F::Point>,
+        workspace: &mut StageWorkspace<F::Point>,
     ) -> Result<Increment<F::Point>, StepError> {
         let (iterations, contracting) = self.stages(field, z, step, workspace)?;
         if self.is_explicit() {
@@ -322,7 +322,7 @@ impl Scheme for RungeKutta {
             lost.set_zero();
             return Ok(Step { point: Pair(change, lost), iterations });
         }
-        let StageSpace { k, refinement, memory, pool, .. } = workspace;
+        let StageWorkspace { k, refinement, memory, pool, .. } = workspace;
         let tableau = &self.tableau;
         refinement.refine(field, ((z, e), step), tableau, contracting, k, pool);
         let (mut change, mut lost) = (F::Point::take(pool, z), F::Point::take(pool, z));
@@ -338,13 +338,13 @@ impl Scheme for RungeKutta {
     #[cfg_attr(optimised, inline(always))]
     fn temporaries<'a, V: State>(
         &self,
-        workspace: &'a mut StageSpace<V>,
+        workspace: &'a mut StageWorkspace<V>,
     ) -> Option<&'a mut V::Pool> {
         Some(&mut workspace.pool)
     }
 
     #[cfg_attr(optimised, inline(always))]
-    fn forget<V: State>(&self, workspace: &mut StageSpace<V>) {
+    fn forget<V: State>(&self, workspace: &mut StageWorkspace<V>) {
         workspace.memory.forget();
     }
 

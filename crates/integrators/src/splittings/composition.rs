@@ -1,8 +1,8 @@
 //! Composition methods: [`Composition`].
 
-use crate::dual::trajectories::integrator::Integrator;
-use crate::dual::trajectories::start::Start;
 use crate::error::StepError;
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
 use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step, give, take};
 use crate::step_fractions::substeps::Substeps;
 use crate::sums::two_sum::add_compensated;

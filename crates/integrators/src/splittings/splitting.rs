@@ -1,8 +1,8 @@
 //! Splitting methods from exact flows: [`Splitting`].
 
-use crate::dual::state_is_momentum::StateIsMomentum;
-use crate::dual::trajectories::integrator::Integrator;
 use crate::error::StepError;
+use crate::integrators::state_is_momentum::StateIsMomentum;
+use crate::integrators::trajectories::integrator::Integrator;
 use crate::schemes::scheme::Step;
 use crate::splittings::exact_flows::ExactFlows;
 use crate::splittings::flow_sequence::{FlowSequence, LieTrotter, Strang};

@@ -9,7 +9,7 @@ use crate::iteration::stage_solver::{
     NEWTON_ITERATIONS, StageSolver, Unconverged, fill_unless, set_combination, sweep,
 };
 use crate::stages::flat_state::{FlatField, FlatState};
-use crate::stages::newton::{FieldOn, NewtonSpace, newton_step};
+use crate::stages::newton::{FieldOn, NewtonWorkspace, newton_step};
 use crate::stages::terms::{cancels, terms};
 use crate::tableaux::tableau::Tableau;
 use lie_poisson::{Mask, Real, State};
@@ -68,7 +68,7 @@ pub(crate) fn solve_on_branch<V: State>(
     (tableau, solver): (&Tableau, &StageSolver),
     sweeps: &Unconverged<MaskOf<V>>,
     (rate, k): (&V, &mut [V]),
-    space: &mut NewtonSpace<V::Scalar>,
+    space: &mut NewtonWorkspace<V::Scalar>,
 ) -> (Result<usize, StepError>, MaskOf<V>) {
     let (field, start) = (FlatField { field, space: z.shape() }, FlatState::of(z));
     let branch = Branch { field: &field, z: &start, step, tableau, solver };
@@ -88,7 +88,7 @@ impl<T: Real> Branch<'_, T> {
         sweeps: &Unconverged<T::Mask>,
         rate: &FlatState<T>,
         k: &mut [FlatState<T>],
-        space: &mut NewtonSpace<T>,
+        space: &mut NewtonWorkspace<T>,
     ) -> (Result<usize, StepError>, T::Mask) {
         let terms = terms(self.field, (self.z, self.step), rate);
         let (mut done, mut made) = (sweeps.converged, sweeps.iterations);
@@ -150,7 +150,7 @@ impl<T: Real> Branch<'_, T> {
         terms: &Sizes<T>,
         rate: &FlatState<T>,
         k: &mut [FlatState<T>],
-        space: &mut NewtonSpace<T>,
+        space: &mut NewtonWorkspace<T>,
     ) -> Result<usize, StepError> {
         fill_unless(done, k, rate);
         let (outcome, [first, path]) = self.newton(1.0, NEWTON_ITERATIONS, done, terms, k, space);
@@ -183,7 +183,7 @@ impl<T: Real> Branch<'_, T> {
         done: T::Mask,
         terms: &Sizes<T>,
         k: &mut [FlatState<T>],
-        space: &mut NewtonSpace<T>,
+        space: &mut NewtonWorkspace<T>,
     ) -> (Outcome<FlatState<T>>, [T; 2]) {
         let (z, step) = (self.z, self.step * part);
         let scale = StageScale::new(z, step);
@@ -207,7 +207,7 @@ impl<T: Real> Branch<'_, T> {
         done: T::Mask,
         terms: &Sizes<T>,
         rate: &FlatState<T>,
-        space: &mut NewtonSpace<T>,
+        space: &mut NewtonWorkspace<T>,
     ) -> Option<Vec<FlatState<T>>> {
         let mut k = vec![rate.clone(); self.tableau.stages()];
         let mut before: Option<(f64, Vec<FlatState<T>>)> = None;

@@ -4,7 +4,7 @@ use crate::iteration::lane_problem::{LaneProblem, Outcome};
 use crate::stage_frame::StageFrame;
 use crate::vector_field::VectorField;
 use lie_poisson::{
-    InstructionSet, Lanes, StorageOver, TaskOver, UnfusedSpace, UnfusedTask, Vector,
+    InstructionSet, Lanes, StorageOver, TaskOver, UnfusedTask, UnfusedWorkspace, Vector,
     dispatch_unfused,
 };
 
@@ -44,7 +44,7 @@ where
             InstructionSet::Avx512 if few => InstructionSet::Avx2,
             set => set,
         };
-        let mut space = UnfusedSpace::new(&NoStorage, set).ok()?;
+        let mut space = UnfusedWorkspace::new(&NoStorage, set).ok()?;
         let (field, mut result) = (self, None);
         let outcome = &mut result;
         if few {

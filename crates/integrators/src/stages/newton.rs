@@ -9,12 +9,12 @@ use lie_poisson::{Mask, Real, State, solve_linear};
 
 /// The storage of Newton's iteration, empty until a step first needs it.
 #[derive(Clone, Debug)]
-pub(crate) struct NewtonSpace<T> {
+pub(crate) struct NewtonWorkspace<T> {
     matrix: Vec<T>,
     residual: Vec<T>,
 }
 
-impl<T> Default for NewtonSpace<T> {
+impl<T> Default for NewtonWorkspace<T> {
     fn default() -> Self {
         Self { matrix: Vec::new(), residual: Vec::new() }
     }
@@ -23,7 +23,7 @@ impl<T> Default for NewtonSpace<T> {
 /// The largest number of unknowns for which Newton's iteration is made. Its matrix then has 8 MiB over `f64`.
 const MOST_UNKNOWNS: usize = 1024;
 
-impl<T> NewtonSpace<T> {
+impl<T> NewtonWorkspace<T> {
     /// Returns whether the stage equations of points such as z have few enough unknowns for a dense matrix.
     pub(crate) fn allows<V: State>(&self, stages: usize, z: &V) -> bool {
         stages * z.dimension() <= MOST_UNKNOWNS
@@ -51,7 +51,7 @@ pub(crate) fn newton_step<V: State>(
     tableau: &Tableau,
     done: MaskOf<V>,
     k: &mut [V],
-    space: &mut NewtonSpace<V::Scalar>,
+    space: &mut NewtonWorkspace<V::Scalar>,
 ) -> Progress<V> {
     let units = units(z, step, k);
     let mut progress = assemble(field, (z, step), tableau, k, &units, space);
@@ -78,7 +78,7 @@ fn assemble<V: State>(
     tableau: &Tableau,
     k: &[V],
     units: &V,
-    space: &mut NewtonSpace<V::Scalar>,
+    space: &mut NewtonWorkspace<V::Scalar>,
 ) -> Progress<V> {
     let dimension = z.dimension();
     let size = k.len() * dimension;

@@ -77,7 +77,7 @@ impl<F: IsospectralField> ExponentialMidpoint<F> {
 
 /// The storage of a step of [`ExponentialMidpoint`].
 #[derive(Clone, Debug)]
-pub struct ExponentialSpace {
+pub struct ExponentialWorkspace {
     products: Products,
     generator: [LargeSkewHermitian; 1],
     fresh: [LargeSkewHermitian; 1],
@@ -87,7 +87,7 @@ pub struct ExponentialSpace {
     history: GeneratorHistory,
 }
 
-impl ExponentialSpace {
+impl ExponentialWorkspace {
     /// Writes Σ_k ad_hB^k W/(k + 1)! to the mean, to the given relative accuracy.
     ///
     /// # Errors
@@ -128,11 +128,11 @@ fn largest(w: &LargeSkewHermitian) -> f64 {
 impl<F: IsospectralField> Integrator for ExponentialMidpoint<F> {
     type State = LargeSkewHermitian;
     type Momentum = LargeSkewHermitian;
-    type Workspace = ExponentialSpace;
+    type Workspace = ExponentialWorkspace;
 
-    fn workspace(&self) -> ExponentialSpace {
+    fn workspace(&self) -> ExponentialWorkspace {
         let zero = || LargeSkewHermitian::zeros(self.field.size());
-        ExponentialSpace {
+        ExponentialWorkspace {
             products: Products::default(),
             generator: [zero()],
             fresh: [zero()],
@@ -143,7 +143,7 @@ impl<F: IsospectralField> Integrator for ExponentialMidpoint<F> {
         }
     }
 
-    fn forget(&self, workspace: &mut ExponentialSpace) {
+    fn forget(&self, workspace: &mut ExponentialWorkspace) {
         workspace.history.forget();
     }
 
@@ -151,7 +151,7 @@ impl<F: IsospectralField> Integrator for ExponentialMidpoint<F> {
         &self,
         w: &LargeSkewHermitian,
         step: f64,
-        workspace: &mut ExponentialSpace,
+        workspace: &mut ExponentialWorkspace,
     ) -> Result<Step<LargeSkewHermitian>, StepError> {
         Step::of_copy(w, |w| self.step_in_place(w, step, workspace))
     }
@@ -160,7 +160,7 @@ impl<F: IsospectralField> Integrator for ExponentialMidpoint<F> {
         &self,
         w: &mut LargeSkewHermitian,
         step: f64,
-        workspace: &mut ExponentialSpace,
+        workspace: &mut ExponentialWorkspace,
     ) -> Result<usize, StepError> {
         StepError::check_dimension(w, self.field.size().saturating_pow(2))?;
         let space = workspace;
@@ -182,8 +182,13 @@ impl<F: IsospectralField> Integrator for ExponentialMidpoint<F> {
                 break;
             }
         }
-        let ExponentialSpace {
-            products, generator, terms: [scaled, _], conjugation, history, ..
+        let ExponentialWorkspace {
+            products,
+            generator,
+            terms: [scaled, _],
+            conjugation,
+            history,
+            ..
         } = space;
         scaled.assign(&generator[0]);
         scaled.scale_in_place(step);

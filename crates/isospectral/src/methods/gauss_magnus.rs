@@ -103,9 +103,9 @@ impl<F: IsospectralField> GaussMagnus<F> {
         &self,
         w: &LargeSkewHermitian,
         step: f64,
-        space: &mut MagnusSpace,
+        space: &mut MagnusWorkspace,
     ) -> Result<usize, StepError> {
-        let MagnusSpace { products, generators, fresh, stages, rates, history, .. } = space;
+        let MagnusWorkspace { products, generators, fresh, stages, rates, history, .. } = space;
         if !history.predict(w, step, generators) {
             self.field.generator_into(w, &mut generators[0]);
             let (first, others) = generators.split_at_mut(1);
@@ -135,7 +135,7 @@ impl<F: IsospectralField> GaussMagnus<F> {
 
 /// The storage of a step of [`GaussMagnus`].
 #[derive(Clone, Debug)]
-pub struct MagnusSpace {
+pub struct MagnusWorkspace {
     products: Products,
     generators: Vec<LargeSkewHermitian>,
     /// The generators of the next sweep.
@@ -147,7 +147,7 @@ pub struct MagnusSpace {
     history: GeneratorHistory,
 }
 
-impl MagnusSpace {
+impl MagnusWorkspace {
     /// Writes the Magnus series Ω. The stages and their rates are overwritten.
     fn set_magnus(&mut self, h: f64) {
         let Self { products, generators, fresh, stages, rates, omega, .. } = self;
@@ -191,15 +191,15 @@ fn set_combination(sum: &mut LargeSkewHermitian, terms: &[(f64, &LargeSkewHermit
 impl<F: IsospectralField> Integrator for GaussMagnus<F> {
     type State = LargeSkewHermitian;
     type Momentum = LargeSkewHermitian;
-    type Workspace = MagnusSpace;
+    type Workspace = MagnusWorkspace;
 
-    fn workspace(&self) -> MagnusSpace {
+    fn workspace(&self) -> MagnusWorkspace {
         let (stages, size) = (self.tableau.stages(), self.field.size());
         let zero = LargeSkewHermitian::zeros(size);
         let several = || vec![zero.clone(); stages];
         // With more steps, the error of the generators would be enlarged by more than the prediction gains.
         let steps = if stages > 2 { 1 } else { 2 };
-        MagnusSpace {
+        MagnusWorkspace {
             products: Products::default(),
             generators: several(),
             fresh: several(),
@@ -211,7 +211,7 @@ impl<F: IsospectralField> Integrator for GaussMagnus<F> {
         }
     }
 
-    fn forget(&self, workspace: &mut MagnusSpace) {
+    fn forget(&self, workspace: &mut MagnusWorkspace) {
         workspace.history.forget();
     }
 
@@ -219,7 +219,7 @@ impl<F: IsospectralField> Integrator for GaussMagnus<F> {
         &self,
         w: &LargeSkewHermitian,
         step: f64,
-        workspace: &mut MagnusSpace,
+        workspace: &mut MagnusWorkspace,
     ) -> Result<Step<LargeSkewHermitian>, StepError> {
         Step::of_copy(w, |w| self.step_in_place(w, step, workspace))
     }
@@ -228,12 +228,12 @@ impl<F: IsospectralField> Integrator for GaussMagnus<F> {
         &self,
         w: &mut LargeSkewHermitian,
         step: f64,
-        space: &mut MagnusSpace,
+        space: &mut MagnusWorkspace,
     ) -> Result<usize, StepError> {
         StepError::check_dimension(w, self.field.size().saturating_pow(2))?;
         let sweeps = self.solve(w, step, space)?;
         space.set_magnus(step);
-        let MagnusSpace { products, generators, omega, conjugation, history, .. } = space;
+        let MagnusWorkspace { products, generators, omega, conjugation, history, .. } = space;
         conjugation.by_exponential(products, omega, w)?;
         history.remember(generators, step, w);
         Ok(sweeps)

@@ -86,7 +86,7 @@ impl<S: Equivariant, F: IsospectralField> IsospectralRungeKutta<S, F> {
 
 /// The storage of a step of [`IsospectralRungeKutta`].
 #[derive(Debug)]
-pub struct IsospectralSpace<S: Equivariant> {
+pub struct IsospectralWorkspace<S: Equivariant> {
     scheme: S::Workspace<LargeMatrix>,
     stages: RefCell<StageStorage>,
     conjugation: Conjugation,
@@ -128,14 +128,14 @@ impl<F: IsospectralField> VectorField for MultiplierField<'_, F> {
 impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S, F> {
     type State = LargeSkewHermitian;
     type Momentum = LargeSkewHermitian;
-    type Workspace = IsospectralSpace<S>;
+    type Workspace = IsospectralWorkspace<S>;
 
     fn workspace(&self) -> Self::Workspace {
         let zero = || LargeSkewHermitian::zeros(self.field.size());
         let (moved, generator) = (zero(), zero());
         let conjugation = Conjugation::new(self.field.size());
         let stages = RefCell::new(StageStorage { products: Products::default(), moved, generator });
-        IsospectralSpace { scheme: self.scheme.workspace(), stages, conjugation }
+        IsospectralWorkspace { scheme: self.scheme.workspace(), stages, conjugation }
     }
 
     fn step(
@@ -154,7 +154,7 @@ impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S
         workspace: &mut Self::Workspace,
     ) -> Result<usize, StepError> {
         StepError::check_dimension(w, self.field.size().saturating_pow(2))?;
-        let IsospectralSpace { scheme, stages, conjugation } = workspace;
+        let IsospectralWorkspace { scheme, stages, conjugation } = workspace;
         let mut zero = stages.borrow_mut().products.take(w.matrix());
         zero.set_zero();
         let field = MultiplierField { field: &self.field, start: w, storage: stages };

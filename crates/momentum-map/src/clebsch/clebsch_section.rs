@@ -5,7 +5,7 @@ use crate::actions::action::Side;
 use crate::clebsch::clebsch_map::{ClebschMap, clebsch_map};
 use crate::maps::fibre::LiftError;
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetPoint};
-use crate::maps::recentring::{Both, Far, RecentringSpace, Sizes, within};
+use crate::maps::recentring::{Both, Far, RecentringWorkspace, Sizes, within};
 use crate::phase_spaces::cotangent::Cotangent;
 use crate::realisations::{Fibres, Realisation, SectionOf};
 use lie_poisson::{
@@ -196,7 +196,7 @@ impl<R: Representation> Fibres<ClebschMap<R>> for ClebschSection {
         &self,
         map: &ClebschMap<R>,
         z: &SourcePoint<ClebschMap<R>, T>,
-        space: &mut RecentringSpace<T>,
+        space: &mut RecentringWorkspace<T>,
     ) -> SourcePoint<ClebschMap<R>, T> {
         let both = Both {
             apply: |z: &SourcePoint<ClebschMap<R>, T>| map.apply::<T>(z),

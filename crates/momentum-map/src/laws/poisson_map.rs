@@ -2,7 +2,7 @@
 
 use super::{Faulty, NoSamples, Report, regimes};
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
-use crate::maps::recentring::RecentringSpace;
+use crate::maps::recentring::RecentringWorkspace;
 use crate::phase_spaces::symplectic::SymplecticSpace;
 use lie_poisson::{
     Differential, DualNumber, Point, PoissonSpace, Real, Vector, transposed_tangent,
@@ -92,7 +92,7 @@ impl<M: PoissonMap> PoissonMap for Faulty<'_, M> {
     fn recentred<T: Real>(
         &self,
         z: &SourcePoint<M, T>,
-        space: &mut RecentringSpace<T>,
+        space: &mut RecentringWorkspace<T>,
     ) -> SourcePoint<M, T> {
         self.object().recentred::<T>(z, space)
     }

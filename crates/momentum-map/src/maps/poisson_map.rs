@@ -1,6 +1,6 @@
 //! Poisson maps and their composition: [`PoissonMap`], [`ComposedMap`].
 
-use crate::maps::recentring::{Both, RecentringSpace, Sizes, block_sizes};
+use crate::maps::recentring::{Both, RecentringWorkspace, Sizes, block_sizes};
 use lie_poisson::{
     Differential, DualNumber, Point, PoissonSpace, Real, Vector, transposed_tangent,
 };
@@ -133,18 +133,18 @@ pub trait PoissonMap: Clone {
     /// For a particle under rigid motions, J(q, p) = −(q × p, p), the fibres are the lines q + sp:
     /// ```
     /// use lie_poisson::Covector;
-    /// use momentum_map::{Cotangent, PARTICLE, PoissonMap, RecentringSpace};
+    /// use momentum_map::{Cotangent, PARTICLE, PoissonMap, RecentringWorkspace};
     /// use nalgebra::Vector3;
     /// let (q, p) = (Vector3::new(0.0, 1.0, 0.0), Vector3::new(2.0, 0.0, 0.0));
     /// let far = Cotangent::new(q + p * 1000.0, Covector(p));
-    /// let near = PARTICLE.recentred(&far, &mut RecentringSpace::default());
+    /// let near = PARTICLE.recentred(&far, &mut RecentringWorkspace::default());
     /// assert!(near.q.norm() < 20.0);
     /// assert!((PARTICLE.apply(&near) - PARTICLE.apply(&far)).0.0.norm() < 1e-12);
     /// ```
     fn recentred<T: Real>(
         &self,
         z: &SourcePoint<Self, T>,
-        space: &mut RecentringSpace<T>,
+        space: &mut RecentringWorkspace<T>,
     ) -> SourcePoint<Self, T> {
         let map = Both {
             apply: |z: &SourcePoint<Self, T>| self.apply::<T>(z),

@@ -1,4 +1,4 @@
-//! The search for a point of a fibre near the origin: [`RecentringSpace`].
+//! The search for a point of a fibre near the origin: [`RecentringWorkspace`].
 
 use lie_poisson::{DualNumber, Mask, Real, Vector, derivative_part, seed, solve_linear};
 
@@ -49,7 +49,7 @@ pub enum Far {
 /// The working memory of [`PoissonMap::recentred`](crate::PoissonMap::recentred), allocated when it is
 /// first needed.
 #[derive(Clone, Debug)]
-pub struct RecentringSpace<T> {
+pub struct RecentringWorkspace<T> {
     far: Far,
     /// The tangent map T_z M, row by row.
     tangent: Vec<T>,
@@ -58,13 +58,13 @@ pub struct RecentringSpace<T> {
     multipliers: Vec<T>,
 }
 
-impl<T> Default for RecentringSpace<T> {
+impl<T> Default for RecentringWorkspace<T> {
     fn default() -> Self {
         Self::new(Far::default())
     }
 }
 
-impl<T> RecentringSpace<T> {
+impl<T> RecentringWorkspace<T> {
     /// Creates an empty memory for moves of the points that count as far.
     #[must_use]
     pub const fn new(far: Far) -> Self {
@@ -94,7 +94,7 @@ pub(crate) struct Both<F, G> {
     pub(crate) apply_dual: G,
 }
 
-impl<T: Real> RecentringSpace<T> {
+impl<T: Real> RecentringWorkspace<T> {
     /// Returns a point near the origin on the fibre through z, or z itself.
     ///
     /// The iteration minimises ½ Σ (z_d/w_d)² at constant M(z), for the given units w_d, by the changes
@@ -282,7 +282,7 @@ mod tests {
             apply: |z: &Vector2<f64>| Vector1::new(100.0 * z.x - 100.0),
             apply_dual: |z: &Vector2<DualNumber>| Vector1::new(z.x * 100.0 - 100.0),
         };
-        RecentringSpace::default().recentred(
+        RecentringWorkspace::default().recentred(
             &map,
             &z,
             Sizes { units: &block_sizes(&z), factors: &block_sizes(&z) },

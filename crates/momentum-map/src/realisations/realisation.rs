@@ -2,7 +2,7 @@
 
 use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
-use crate::maps::recentring::RecentringSpace;
+use crate::maps::recentring::RecentringWorkspace;
 use lie_poisson::{Differential, Real};
 
 /// A description of the fibres of a Poisson map M, in a type separate from the map.
@@ -21,7 +21,7 @@ pub trait Fibres<M: PoissonMap>: Clone {
         &self,
         map: &M,
         z: &SourcePoint<M, T>,
-        space: &mut RecentringSpace<T>,
+        space: &mut RecentringWorkspace<T>,
     ) -> SourcePoint<M, T> {
         map.recentred::<T>(z, space)
     }
@@ -172,7 +172,7 @@ impl<M: PoissonMap, F: Fibres<M>> PoissonMap for Realisation<M, F> {
     fn recentred<T: Real>(
         &self,
         z: &SourcePoint<M, T>,
-        space: &mut RecentringSpace<T>,
+        space: &mut RecentringWorkspace<T>,
     ) -> SourcePoint<M, T> {
         self.fibres.recentred::<T>(&self.map, z, space)
     }

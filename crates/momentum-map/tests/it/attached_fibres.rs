@@ -32,7 +32,7 @@ impl Fibres<Map> for Lines {
         &self,
         _: &Map,
         z: &SourcePoint<Map, T>,
-        _: &mut RecentringSpace<T>,
+        _: &mut RecentringWorkspace<T>,
     ) -> SourcePoint<Map, T> {
         *z + along(z).scaled(T::from_f64(4.0))
     }
@@ -85,7 +85,7 @@ fn attached_fibres_obey_the_laws() {
     laws::lift(&map, &momenta).unwrap().check(10.0 * TOLERANCE).unwrap();
     for z in points {
         assert_eq!(map.apply::<f64>(&z), MAP.apply::<f64>(&z));
-        let near = map.recentred::<f64>(&z, &mut RecentringSpace::default());
+        let near = map.recentred::<f64>(&z, &mut RecentringWorkspace::default());
         assert!(near.q.dot(&near.p.0).abs() < 1e-14, "recentred by the attached fibres");
         assert!(map.gauge::<f64>(&z) == along(&z) && along(&z).max_abs() > 0.0);
     }
@@ -100,7 +100,7 @@ fn silent_fibres_leave_the_map_as_it_is() {
     let map = Realisation::new(MAP, Silent);
     for z in samples() {
         assert_eq!(map.gauge::<f64>(&z), MAP.gauge::<f64>(&z));
-        let spaces = &mut (RecentringSpace::default(), RecentringSpace::default());
+        let spaces = &mut (RecentringWorkspace::default(), RecentringWorkspace::default());
         let far = Cotangent::new(z.q + z.p.0 * 1e4, z.p);
         let near = map.recentred::<f64>(&far, &mut spaces.0);
         assert_eq!(near, MAP.recentred::<f64>(&far, &mut spaces.1));

@@ -4,7 +4,7 @@ use core::fmt::Debug;
 use lie_poisson::{Covector, DefaultLanes, Lanes, SL2OnR2, Se3Dual, Sum, Vector, map_coordinates};
 use momentum_map::{
     Cotangent, HOPF, HopfRealisation, Lift, LiftError, PARTICLE, PoissonMap, QuadraticMomentumMap,
-    RecentringSpace, Reversed, Side, So3OnC2, SourcePoint, TargetPoint, UnitaryRealisation,
+    RecentringWorkspace, Reversed, Side, So3OnC2, SourcePoint, TargetPoint, UnitaryRealisation,
     hopf_map, hopf_section, unitary_realisation,
 };
 use nalgebra::{SVector, Vector3};
@@ -140,7 +140,7 @@ fn points_far_out_on_their_fibres_come_back() {
     let (q, p) = (Vector3::new(0.6, -0.3, 1.1), Covector(Vector3::new(-0.8, 0.5, 0.9)));
     for s in [1e3_f64, -1e5] {
         let far = Cotangent::new(q + p.0 * s, p);
-        let space = &mut RecentringSpace::default();
+        let space = &mut RecentringWorkspace::default();
         let near = PARTICLE.recentred::<f64>(&far, space);
         // Each of eight iterations halves the distance.
         assert!(near.q.norm() < far.q.norm() / 200.0, "{}", near.q.norm());
@@ -159,7 +159,7 @@ fn units_do_not_matter_on_the_way_back() {
     let (q, p) = (Vector3::new(0.6, -0.3, 1.1), Vector3::new(-0.8, 0.5, 0.9));
     let in_units = |a: f64, b: f64| {
         let far = Cotangent::new((q + p * 1e4) * a, Covector(p * b));
-        (far, PARTICLE.recentred::<f64>(&far, &mut RecentringSpace::default()))
+        (far, PARTICLE.recentred::<f64>(&far, &mut RecentringWorkspace::default()))
     };
     let (far, near) = in_units(1.0, 1.0);
     assert!(near.q.norm() < far.q.norm() / 200.0);
@@ -168,7 +168,7 @@ fn units_do_not_matter_on_the_way_back() {
         assert_eq!(in_units(a, b).1, Cotangent::new(near.q * a, near.p.scaled(b)), "{a:e} {b:e}");
         // A point that has lost no more than a digit stays.
         let start = Cotangent::new((q + p * 5.0) * a, Covector(p * b));
-        let stays = PARTICLE.recentred::<f64>(&start, &mut RecentringSpace::default());
+        let stays = PARTICLE.recentred::<f64>(&start, &mut RecentringWorkspace::default());
         assert_eq!(stays, start, "{a:e} {b:e}");
     }
 }

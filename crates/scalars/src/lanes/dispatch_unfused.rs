@@ -64,7 +64,7 @@ impl<S: UnfusedStorage, K> UnfusedTask<S> for K where
 
 /// An instruction set that this processor has, and storage for the lanes of its registers.
 #[derive(Debug)]
-pub struct UnfusedSpace<S: UnfusedStorage>(Space<S>);
+pub struct UnfusedWorkspace<S: UnfusedStorage>(Space<S>);
 
 /// The storage for one type of lanes. A variant is created only after its instructions have been detected.
 enum Space<S: UnfusedStorage> {
@@ -89,7 +89,7 @@ impl<S: UnfusedStorage> Space<S> {
     }
 }
 
-impl<S: UnfusedStorage> UnfusedSpace<S> {
+impl<S: UnfusedStorage> UnfusedWorkspace<S> {
     /// Creates the storage for the lanes of an instruction set.
     ///
     /// # Errors
@@ -122,12 +122,11 @@ impl<S: UnfusedStorage> UnfusedSpace<S> {
 /// first type alone.
 ///
 /// # Soundness
-/// Code outside of this crate cannot name the last two types, and a type parameter is never inferred to be one of
-/// them: [`UnfusedTask`] and [`UnfusedStorage`] mention both, so that the inference is ambiguous, which is a compile
-/// error. Safe code can reach them in one way only: as the `T` of [`StorageOver`] and [`TaskOver`].
-/// [`UnfusedSpace::new`] calls `StorageOver` only after the instructions have been detected, and this function calls
-/// `TaskOver` only with storage created in that way. A processor keeps its instructions in every thread for as long
-/// as the program runs.
+/// Code outside of this crate cannot name the last two types, and a type parameter is never inferred to be one of them:
+/// [`UnfusedTask`] and [`UnfusedStorage`] mention both, so that the inference is ambiguous, which is a compile error.
+/// Safe code can reach them in one way only: as the `T` of [`StorageOver`] and [`TaskOver`]. [`UnfusedWorkspace::new`]
+/// calls `StorageOver` only after the instructions have been detected, and this function calls `TaskOver` only with
+/// storage created in that way. A processor keeps its instructions in every thread for as long as the program runs.
 ///
 /// ```compile_fail,E0283
 /// use generic_scalars::{StorageOver, UnfusedStorage};
@@ -140,7 +139,7 @@ impl<S: UnfusedStorage> UnfusedSpace<S> {
 /// The task has a parameter: a formula that is implemented only over the scalars that it was written for:
 /// ```
 /// use generic_scalars::{
-///     InstructionSet, Lanes, Real, StorageOver, TaskOver, UnfusedSpace, UnfusedTask, dispatch_unfused,
+///     InstructionSet, Lanes, Real, StorageOver, TaskOver, UnfusedWorkspace, UnfusedTask, dispatch_unfused,
 /// };
 ///
 /// trait Formula<T> {
@@ -175,7 +174,7 @@ impl<S: UnfusedStorage> UnfusedSpace<S> {
 /// where
 ///     for<'a> Replace<'a, F>: UnfusedTask<Stateless>,
 /// {
-///     if let Ok(mut space) = UnfusedSpace::new(&Stateless, set) {
+///     if let Ok(mut space) = UnfusedWorkspace::new(&Stateless, set) {
 ///         dispatch_unfused(Replace(formula, values), &mut space);
 ///     }
 /// }
@@ -189,7 +188,7 @@ impl<S: UnfusedStorage> UnfusedSpace<S> {
 #[allow(unsafe_code)] // calls into functions compiled for more than the baseline
 pub fn dispatch_unfused<S: UnfusedStorage, K: UnfusedTask<S>>(
     task: K,
-    space: &mut UnfusedSpace<S>,
+    space: &mut UnfusedWorkspace<S>,
 ) {
     match &mut space.0 {
         Space::Portable(storage) => TaskOver::<DefaultLanes, S>::run(task, storage),

@@ -16,7 +16,7 @@ mod dispatch_unfused;
 pub use dispatch::{InstructionSet, LaneTask, MissingInstructions, Width, dispatch};
 pub use dispatch_four::{FourLanesTask, dispatch_four};
 pub use dispatch_unfused::{
-    StorageOver, TaskOver, UnfusedSpace, UnfusedStorage, UnfusedTask, dispatch_unfused,
+    StorageOver, TaskOver, UnfusedStorage, UnfusedTask, UnfusedWorkspace, dispatch_unfused,
 };
 pub use four::FourLanes;
 pub use lane_scalar::Lanes;

@@ -1,8 +1,8 @@
 //! Lanes whose results are those of `f64`, on every instruction set.
 
 use generic_scalars::{
-    InstructionSet, LaneTask, Lanes, Mask, Real, StorageOver, TaskOver, UnfusedSpace, Width, cross,
-    dispatch, dispatch_unfused, dot,
+    InstructionSet, LaneTask, Lanes, Mask, Real, StorageOver, TaskOver, UnfusedWorkspace, Width,
+    cross, dispatch, dispatch_unfused, dot,
 };
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -84,7 +84,7 @@ impl LaneTask for Evaluate<'_> {
 }
 
 fn in_registers(set: InstructionSet, pairs: &[(f64, f64)]) -> Vec<Vec<u64>> {
-    let mut space = UnfusedSpace::new(&Counter, set).unwrap();
+    let mut space = UnfusedWorkspace::new(&Counter, set).unwrap();
     assert_eq!(space.instructions(), set);
     let mut results = Vec::new();
     dispatch_unfused(Evaluate(pairs, &mut results), &mut space);
@@ -129,7 +129,7 @@ impl<T: Lanes> TaskOver<T, Counter> for Look<'_> {
 #[test]
 fn the_storage_stays_and_belongs_to_one_type_of_lanes() {
     for set in InstructionSet::ALL {
-        let Ok(mut space) = UnfusedSpace::new(&Counter, set) else {
+        let Ok(mut space) = UnfusedWorkspace::new(&Counter, set) else {
             assert!(!set.is_available(), "{set}");
             continue;
         };

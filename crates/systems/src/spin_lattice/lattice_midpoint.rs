@@ -85,8 +85,8 @@ impl LatticeMidpoint {
     }
 
     /// Replaces the rates by those at the midpoints. Returns the largest change and the largest size of a component.
-    fn sweep(&self, half_step: f64, space: &mut LatticeSpace) -> [f64; 2] {
-        let LatticeSpace { start, rates: [rates, next], slabs, planes } = space;
+    fn sweep(&self, half_step: f64, space: &mut LatticeWorkspace) -> [f64; 2] {
+        let LatticeWorkspace { start, rates: [rates, next], slabs, planes } = space;
         let (stencil, planes) = (&self.stencil, *planes);
         let plane = stencil.plane();
         // A block has as many spins as the widest register has lanes.
@@ -118,7 +118,7 @@ impl LatticeMidpoint {
         &self,
         s: &mut Covector<Sites<Vector3<f64>>>,
         step: f64,
-        space: &mut LatticeSpace,
+        space: &mut LatticeWorkspace,
     ) -> Result<usize, StepError> {
         let nx = self.stencil.counts[0];
         write_blocks(&s.0, nx, &mut space.start);
@@ -135,7 +135,7 @@ impl LatticeMidpoint {
     }
 
     /// Makes the storage fit the lattice and the threads of the current pool.
-    fn fit(&self, space: &mut LatticeSpace) {
+    fn fit(&self, space: &mut LatticeWorkspace) {
         let count = self.stencil.counts[2];
         for storage in [&mut space.start].into_iter().chain(&mut space.rates) {
             storage.resize(self.stencil.plane() * count, Spins::default());
@@ -150,7 +150,7 @@ impl LatticeMidpoint {
 
 /// The storage of a step of [`LatticeMidpoint`].
 #[derive(Clone, Debug, Default)]
-pub struct LatticeSpace {
+pub struct LatticeWorkspace {
     start: Vec<Spins>,
     rates: [Vec<Spins>; 2],
     slabs: Vec<Slab>,
@@ -161,10 +161,10 @@ pub struct LatticeSpace {
 impl Integrator for LatticeMidpoint {
     type State = Covector<Sites<Vector3<f64>>>;
     type Momentum = Covector<Sites<Vector3<f64>>>;
-    type Workspace = LatticeSpace;
+    type Workspace = LatticeWorkspace;
 
-    fn workspace(&self) -> LatticeSpace {
-        LatticeSpace::default()
+    fn workspace(&self) -> LatticeWorkspace {
+        LatticeWorkspace::default()
     }
 
     /// # Errors
@@ -173,7 +173,7 @@ impl Integrator for LatticeMidpoint {
         &self,
         s: &Self::State,
         step: f64,
-        space: &mut LatticeSpace,
+        space: &mut LatticeWorkspace,
     ) -> Result<Step<Self::State>, StepError> {
         Step::of_copy(s, |s| self.step_in_place(s, step, space))
     }
@@ -189,7 +189,7 @@ impl Integrator for LatticeMidpoint {
         &self,
         s: &mut Self::State,
         step: f64,
-        space: &mut LatticeSpace,
+        space: &mut LatticeWorkspace,
     ) -> Result<usize, StepError> {
         StepError::check_dimension(s, 3 * self.stencil.spins())?;
         self.fit(space);
@@ -201,7 +201,7 @@ impl Integrator for LatticeMidpoint {
     }
 
     /// Nothing is remembered from step to step.
-    fn forget(&self, _: &mut LatticeSpace) {}
+    fn forget(&self, _: &mut LatticeWorkspace) {}
 
     fn momentum(&self, s: &Self::State) -> Self::State {
         s.clone()
@@ -223,7 +223,7 @@ mod tests {
         let mut s = lattice.state(|[x, _, z]| Vector3::new(x as f64, 1.0, z as f64).normalize());
         let midpoint = LatticeMidpoint::new(lattice);
         let mut space = midpoint.workspace();
-        let bytes = |space: &LatticeSpace| {
+        let bytes = |space: &LatticeWorkspace| {
             let blocks =
                 space.start.capacity() + space.rates[0].capacity() + space.rates[1].capacity();
             let slabs: usize = space.slabs.iter().map(Slab::bytes).sum();

@@ -2,8 +2,8 @@
 
 use crate::support::{FORMULAS, POINTS, formula, heavy_top, point};
 use lie_poisson::{
-    DefaultLanes, InstructionSet, LaneTask, Lanes, Se3Dual, StorageOver, TaskOver, UnfusedSpace,
-    Vector, Width, dispatch, dispatch_unfused,
+    DefaultLanes, InstructionSet, LaneTask, Lanes, Se3Dual, StorageOver, TaskOver,
+    UnfusedWorkspace, Vector, Width, dispatch, dispatch_unfused,
 };
 use lie_poisson_formulas::{Formula, Problem};
 
@@ -99,7 +99,7 @@ fn lanes_have_the_bits_of_single_numbers() {
     }
     for set in InstructionSet::available() {
         dispatch(OnWideLanes, set, Width::Register).unwrap();
-        dispatch_unfused(OnUnfusedLanes, &mut UnfusedSpace::new(&Stateless, set).unwrap());
+        dispatch_unfused(OnUnfusedLanes, &mut UnfusedWorkspace::new(&Stateless, set).unwrap());
     }
 }
 

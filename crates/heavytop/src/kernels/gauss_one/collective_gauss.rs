@@ -9,8 +9,8 @@ use crate::attitude::step_rotation::{TurnedStep, Turning, turned_by_spinors};
 use crate::paper::spinor_realisation::{SpinorPoint, SpinorRealisation};
 use crate::tops::top::HeavyTop;
 use collective_integrators::{
-    Collective, CollectiveSpace, Compensated, Integrator, RungeKutta, SchemeError, StageSpace,
-    Start, Step, StepError,
+    Collective, CollectiveWorkspace, Compensated, Integrator, RungeKutta, SchemeError,
+    StageWorkspace, Start, Step, StepError,
 };
 use lie_poisson::{InstructionSet, MissingInstructions, Pair, Se3Dual, Vector, Width, dispatch};
 use momentum_map::LiftError;
@@ -83,9 +83,9 @@ pub struct CollectiveGauss {
 
 /// The workspace of [`CollectiveGauss`].
 #[derive(Clone, Debug)]
-pub struct CollectiveGaussSpace {
+pub struct CollectiveGaussWorkspace {
     history: StageHistory,
-    general: CollectiveSpace<StageSpace<SpinorPoint>, SpinorPoint>,
+    general: CollectiveWorkspace<StageWorkspace<SpinorPoint>, SpinorPoint>,
 }
 
 impl HeavyTop {
@@ -155,7 +155,7 @@ impl CollectiveGauss {
         &self,
         state: &State,
         step: f64,
-        workspace: &mut CollectiveGaussSpace,
+        workspace: &mut CollectiveGaussWorkspace,
     ) -> Result<Step<State>, StepError> {
         workspace.history.forget();
         let next = self.general.step(state, step, &mut workspace.general)?;
@@ -176,10 +176,10 @@ fn fastest(stages: usize) -> InstructionSet {
 impl Integrator for CollectiveGauss {
     type State = State;
     type Momentum = Se3Dual;
-    type Workspace = CollectiveGaussSpace;
+    type Workspace = CollectiveGaussWorkspace;
 
-    fn workspace(&self) -> CollectiveGaussSpace {
-        CollectiveGaussSpace { history: StageHistory::new(), general: self.general.workspace() }
+    fn workspace(&self) -> CollectiveGaussWorkspace {
+        CollectiveGaussWorkspace { history: StageHistory::new(), general: self.general.workspace() }
     }
 
     #[inline]
@@ -187,7 +187,7 @@ impl Integrator for CollectiveGauss {
         &self,
         state: &Self::State,
         step: f64,
-        workspace: &mut CollectiveGaussSpace,
+        workspace: &mut CollectiveGaussWorkspace,
     ) -> Result<Step<Self::State>, StepError> {
         let (start, history) = (CompensatedPoint::from_state(state), &mut workspace.history);
         let attempt = match self.coefficients.stages {
@@ -201,7 +201,7 @@ impl Integrator for CollectiveGauss {
         }
     }
 
-    fn forget(&self, workspace: &mut CollectiveGaussSpace) {
+    fn forget(&self, workspace: &mut CollectiveGaussWorkspace) {
         workspace.history.forget();
         self.general.forget(&mut workspace.general);
     }

@@ -87,7 +87,7 @@ impl<H> ReducedMidpoint<H> {
         &self,
         mu: &Se3Dual<T>,
         step: f64,
-        space: &mut ReducedMidpointSpace<H, T>,
+        space: &mut ReducedMidpointWorkspace<H, T>,
     ) -> Result<(Step<Se3Dual<T>>, Vector3<T>), StepError>
     where
         H: Hamiltonian<HeavyTopSpace, T>,
@@ -128,7 +128,7 @@ impl<H> ReducedMidpoint<H> {
         &self,
         mu: &Se3Dual<T>,
         step: f64,
-        newton: &mut NewtonSpace<H, T>,
+        newton: &mut NewtonWorkspace<H, T>,
     ) -> Result<(Step<Se3Dual<T>>, Vector3<T>), StepError>
     where
         H: Hamiltonian<HeavyTopSpace, T>,
@@ -141,15 +141,15 @@ impl<H> ReducedMidpoint<H> {
 
 /// The workspace of [`ReducedMidpoint`].
 #[derive(Debug)]
-pub struct ReducedMidpointSpace<H: Hamiltonian<HeavyTopSpace, T>, T: Real = f64> {
+pub struct ReducedMidpointWorkspace<H: Hamiltonian<HeavyTopSpace, T>, T: Real = f64> {
     /// The velocities (Ωₘ, γₘ) of the last steps.
     velocities: StageMemory<Velocity<T>>,
     /// The workspace of Newton's iteration.
-    newton: NewtonSpace<H, T>,
+    newton: NewtonWorkspace<H, T>,
 }
 
 /// The workspace of Newton's iteration.
-type NewtonSpace<H, T> = <LiftFree<RungeKutta, DualQuaternions, H> as Integrator<T>>::Workspace;
+type NewtonWorkspace<H, T> = <LiftFree<RungeKutta, DualQuaternions, H> as Integrator<T>>::Workspace;
 
 impl<H, T> Integrator<T> for ReducedMidpoint<H>
 where
@@ -158,11 +158,11 @@ where
 {
     type State = Se3Dual<T>;
     type Momentum = Se3Dual<T>;
-    type Workspace = ReducedMidpointSpace<H, T>;
+    type Workspace = ReducedMidpointWorkspace<H, T>;
 
     fn workspace(&self) -> Self::Workspace {
         let velocities = StageMemory::new(self.lift_free.scheme().tableau().nodes());
-        ReducedMidpointSpace { velocities, newton: Integrator::<T>::workspace(&self.lift_free) }
+        ReducedMidpointWorkspace { velocities, newton: Integrator::<T>::workspace(&self.lift_free) }
     }
 
     #[cfg_attr(optimised, inline(always))]

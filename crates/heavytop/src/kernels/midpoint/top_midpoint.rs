@@ -2,7 +2,7 @@
 
 use super::closed_form::whole_turn;
 use super::formulas::GuessHistory;
-use super::reduced_midpoint::{ReducedMidpoint, ReducedMidpointSpace};
+use super::reduced_midpoint::{ReducedMidpoint, ReducedMidpointWorkspace};
 use crate::attitude::step_rotation::{TurnedStep, Turning};
 use crate::tops::top::HeavyTop;
 use collective_integrators::{Integrator, Registers, StateIsMomentum, Step, StepError};
@@ -101,7 +101,7 @@ impl TopMidpoint {
         &self,
         mu: &Se3Dual,
         step: f64,
-        workspace: &mut TopMidpointSpace,
+        workspace: &mut TopMidpointWorkspace,
     ) -> Result<Step<Se3Dual>, StepError> {
         self.general.step(mu, step, &mut workspace.general)
     }
@@ -109,18 +109,18 @@ impl TopMidpoint {
 
 /// The workspace of [`TopMidpoint`].
 #[derive(Debug)]
-pub struct TopMidpointSpace {
+pub struct TopMidpointWorkspace {
     history: GuessHistory,
-    general: ReducedMidpointSpace<HeavyTop>,
+    general: ReducedMidpointWorkspace<HeavyTop>,
 }
 
 impl Integrator for TopMidpoint {
     type State = Se3Dual;
     type Momentum = Se3Dual;
-    type Workspace = TopMidpointSpace;
+    type Workspace = TopMidpointWorkspace;
 
-    fn workspace(&self) -> TopMidpointSpace {
-        TopMidpointSpace {
+    fn workspace(&self) -> TopMidpointWorkspace {
+        TopMidpointWorkspace {
             history: GuessHistory::new(self.top()),
             general: self.general.workspace(),
         }
@@ -131,7 +131,7 @@ impl Integrator for TopMidpoint {
         &self,
         mu: &Se3Dual,
         step: f64,
-        workspace: &mut TopMidpointSpace,
+        workspace: &mut TopMidpointWorkspace,
     ) -> Result<Step<Se3Dual>, StepError> {
         match workspace.history.step(self.top(), mu, step, self.instructions()) {
             Some(next) => Ok(next),
@@ -140,7 +140,7 @@ impl Integrator for TopMidpoint {
     }
 
     #[inline]
-    fn forget(&self, workspace: &mut TopMidpointSpace) {
+    fn forget(&self, workspace: &mut TopMidpointWorkspace) {
         workspace.history.forget();
         self.general.forget(&mut workspace.general);
     }
@@ -158,7 +158,7 @@ impl Turning for TopMidpoint {
         &self,
         mu: &Se3Dual,
         step: f64,
-        workspace: &mut TopMidpointSpace,
+        workspace: &mut TopMidpointWorkspace,
     ) -> TurnedStep<Se3Dual, f64> {
         match workspace.history.step(self.top(), mu, step, self.instructions()) {
             Some(next) => Ok((next, whole_turn(&workspace.history.newest()))),

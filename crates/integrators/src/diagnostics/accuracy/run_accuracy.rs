@@ -151,7 +151,7 @@ fn two_digits(error: f64) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::diagnostics::{NoOrder, StepCheck, check_by_half_steps};
-    use crate::dual::direct::Direct;
+    use crate::integrators::direct::Direct;
     use crate::schemes::runge_kutta::RungeKutta;
     use crate::vector_field::from_fn;
     use core::cell::Cell;

@@ -1,9 +1,9 @@
 //! The momenta of a run after chosen numbers of steps.
 
-use crate::dual::trajectories::integrator::Integrator;
-use crate::dual::trajectories::start::Start;
 use crate::erased::{AnyIntegrator, AnyState};
 use crate::error::{IntegrationError, RunError, StepError};
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
 use crate::stages::checkpoints::CHECKPOINT;
 
 /// The momenta of a run, coordinate by coordinate.

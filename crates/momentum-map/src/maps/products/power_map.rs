@@ -2,7 +2,7 @@
 
 use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
-use crate::maps::recentring::RecentringSpace;
+use crate::maps::recentring::RecentringWorkspace;
 use lie_poisson::{
     Covector, Differential, LieAlgebra, LiePoisson, Power, PowerAlgebra, PowerSpace, Real, Vector,
     map_coordinates,
@@ -79,7 +79,7 @@ where
     fn recentred<T: Real>(
         &self,
         z: &SourcePoint<Self, T>,
-        space: &mut RecentringSpace<T>,
+        space: &mut RecentringWorkspace<T>,
     ) -> SourcePoint<Self, T> {
         Power::from_factors(|n| self.0.recentred::<T>(&z.0[n], space))
     }

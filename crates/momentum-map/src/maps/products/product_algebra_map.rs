@@ -3,7 +3,7 @@
 use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
 use crate::maps::products::ProductMap;
-use crate::maps::recentring::RecentringSpace;
+use crate::maps::recentring::RecentringWorkspace;
 use lie_poisson::{
     Covector, Differential, LieAlgebra, LiePoisson, Pair, ProductAlgebra, ProductSpace, Real, Sign,
     from_parts,
@@ -130,7 +130,7 @@ where
     fn recentred<T: Real>(
         &self,
         z: &SourcePoint<Self, T>,
-        space: &mut RecentringSpace<T>,
+        space: &mut RecentringWorkspace<T>,
     ) -> SourcePoint<Self, T> {
         self.factors.recentred::<T>(z, space)
     }

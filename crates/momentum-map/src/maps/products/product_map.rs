@@ -2,7 +2,7 @@
 
 use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, TargetPoint};
-use crate::maps::recentring::RecentringSpace;
+use crate::maps::recentring::RecentringWorkspace;
 use lie_poisson::{Differential, Pair, ProductSpace, Real, from_parts, parts};
 
 /// The product (M, N): P₁ × P₂ → Q₁ × Q₂ of two Poisson maps.
@@ -67,7 +67,7 @@ impl<M: PoissonMap, N: PoissonMap> PoissonMap for ProductMap<M, N> {
     fn recentred<T: Real>(
         &self,
         z: &SourcePoint<Self, T>,
-        space: &mut RecentringSpace<T>,
+        space: &mut RecentringWorkspace<T>,
     ) -> SourcePoint<Self, T> {
         Pair(self.0.recentred::<T>(&z.0, space), self.1.recentred::<T>(&z.1, space))
     }

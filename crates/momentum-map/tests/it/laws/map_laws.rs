@@ -113,7 +113,7 @@ fn products_of_maps_to_duals_of_algebras() {
     let algebra = *map.target().algebra();
     // The second flow moves the particle by 1000 p along its fibre.
     let far = map.flow::<f64>(1, 1e3, &samples()[0]);
-    let near = map.recentred::<f64>(&far, &mut RecentringSpace::default());
+    let near = map.recentred::<f64>(&far, &mut RecentringWorkspace::default());
     // Ten of the products that J subtracts are as large as q × p.
     let lost = 10.0 * far.max_abs() * f64::EPSILON;
     assert!((map.apply::<f64>(&near) - map.apply::<f64>(&far)).max_abs() < lost);

@@ -1,14 +1,14 @@
 //! The collective integrator for N copies of a realisation: [`CollectiveSites`].
 
-use crate::dual::finite_momentum::has_finite_momentum;
-use crate::dual::recentring_threshold::{RecentringThreshold, moves_along};
-use crate::dual::trajectories::integrator::Integrator;
-use crate::dual::trajectories::start::Start;
 use crate::error::StepError;
+use crate::integrators::finite_momentum::has_finite_momentum;
+use crate::integrators::recentring_threshold::{RecentringThreshold, moves_along};
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
 use crate::schemes::scheme::{Equivariant, Scheme, Step};
 use crate::vector_field::VectorField;
 use lie_poisson::{Covector, LieAlgebra, LiePoisson, Real, Sites, SitesHamiltonian, State, Vector};
-use momentum_map::{Far, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint};
+use momentum_map::{Far, Lift, LiftError, PoissonMap, RecentringWorkspace, SourcePoint};
 use std::cell::RefCell;
 
 /// The [collective integrator](crate::Collective) for N copies of a realisation M: P → 𝔤∗, with a number N that is
@@ -90,12 +90,12 @@ impl<S, M, H> CollectiveSites<S, M, H> {
 
 /// The storage of a step of [`CollectiveSites`].
 #[derive(Debug)]
-pub struct CollectiveSitesSpace<W, V: Vector, D> {
+pub struct CollectiveSitesWorkspace<W, V: Vector, D> {
     scheme: W,
     velocities: RefCell<(Covector<Sites<D>>, Sites<D>)>,
     pool: Vec<Sites<V>>,
     threshold: RecentringThreshold<Sites<V>>,
-    recentring: RecentringSpace<V::Scalar>,
+    recentring: RecentringWorkspace<V::Scalar>,
     /// Whether each point stays where the scheme takes it on its fibre.
     pinned: bool,
 }
@@ -141,10 +141,10 @@ impl<S, M: PoissonMap, H> CollectiveSites<S, M, H> {
     fn recentre<T: Real, W, D>(
         &self,
         z: &mut Sites<SourcePoint<M, T>>,
-        workspace: &mut CollectiveSitesSpace<W, SourcePoint<M, T>, D>,
+        workspace: &mut CollectiveSitesWorkspace<W, SourcePoint<M, T>, D>,
     ) {
         if let (Some(far), false) = (self.moves, workspace.pinned) {
-            let CollectiveSitesSpace { threshold, recentring, .. } = workspace;
+            let CollectiveSitesWorkspace { threshold, recentring, .. } = workspace;
             threshold.recentre_if_grown(z, far, |z, grown| {
                 for z in z.iter_mut() {
                     *z = Vector::select(grown, &self.map.recentred::<T>(z, recentring), z);
@@ -164,19 +164,19 @@ where
 {
     type State = Sites<SourcePoint<M, T>>;
     type Momentum = Covector<Sites<A::Element<T>>>;
-    type Workspace = CollectiveSitesSpace<
+    type Workspace = CollectiveSitesWorkspace<
         S::Workspace<Sites<SourcePoint<M, T>>>,
         SourcePoint<M, T>,
         A::Element<T>,
     >;
 
     fn workspace(&self) -> Self::Workspace {
-        CollectiveSitesSpace {
+        CollectiveSitesWorkspace {
             scheme: self.scheme.workspace(),
             velocities: RefCell::new((State::zeros_of(&0), State::zeros_of(&0))),
             pool: Vec::new(),
             threshold: RecentringThreshold::default(),
-            recentring: RecentringSpace::new(self.moves.unwrap_or_default()),
+            recentring: RecentringWorkspace::new(self.moves.unwrap_or_default()),
             pinned: false,
         }
     }
@@ -199,7 +199,7 @@ where
         let mut z = State::take(&mut workspace.pool, state);
         z.assign(state);
         self.recentre::<T, _, _>(&mut z, workspace);
-        let CollectiveSitesSpace { scheme, velocities, pool, pinned, .. } = workspace;
+        let CollectiveSitesWorkspace { scheme, velocities, pool, pinned, .. } = workspace;
         let field = SitesField { map: &self.map, hamiltonian: &self.hamiltonian, velocities };
         let made = self.scheme.increment::<T, _>(&field, &z, step, scheme).and_then(|made| {
             z.add_in_place(&made.point);

@@ -1,10 +1,10 @@
 //! Collective Runge–Kutta methods without a lift: [`LiftFree`].
 
-use crate::dual::compensated::{Compensated, Increments};
-use crate::dual::multiplier_field::{Course, MultiplierField};
-use crate::dual::state_is_momentum::StateIsMomentum;
-use crate::dual::trajectories::integrator::Integrator;
 use crate::error::StepError;
+use crate::integrators::compensated::{Compensated, Increments};
+use crate::integrators::multiplier_field::{Course, MultiplierField};
+use crate::integrators::state_is_momentum::StateIsMomentum;
+use crate::integrators::trajectories::integrator::Integrator;
 use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
 use crate::vector_field::VectorField;
 use lie_poisson::{Hamiltonian, Pair, Point, Real, Vector};
@@ -90,7 +90,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         &self,
         mu: &Point<M::Space, T>,
         step: f64,
-        workspace: &mut MultiplierSpace<S, M, T>,
+        workspace: &mut MultiplierWorkspace<S, M, T>,
     ) -> WithMultiplier<Step<Point<M::Space, T>>, M, T>
     where
         H: Hamiltonian<M::Space, T>,
@@ -121,7 +121,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         mu: &Point<M::Space, T>,
         e: &Point<M::Space, T>,
         step: f64,
-        workspace: &mut MultiplierSpace<S, M, T>,
+        workspace: &mut MultiplierWorkspace<S, M, T>,
     ) -> WithMultiplier<Increment<Point<M::Space, T>>, M, T>
     where
         H: Hamiltonian<M::Space, T>,
@@ -179,7 +179,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
     pub(crate) fn motion_by<T: Real>(
         &self,
         mu: &Point<M::Space, T>,
-        workspace: &mut MultiplierSpace<S, M, T>,
+        workspace: &mut MultiplierWorkspace<S, M, T>,
         make: impl FnOnce(
             &MultiplierField<'_, M, H, T>,
             &Multiplier<M, T>,
@@ -190,7 +190,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFree<S, M, H> {
         H: Hamiltonian<M::Space, T>,
     {
         let one = self.multipliers.one::<T>();
-        let MultiplierSpace { scheme: storage, course } = workspace;
+        let MultiplierWorkspace { scheme: storage, course } = workspace;
         let (moved, steps) = match course {
             Some(course) if course.goes_on_from(mu) => (course.moved, course.steps),
             _ => (one, 0),
@@ -243,7 +243,7 @@ impl<M: Multipliers, T: Real> MultiplierMotion<M, T> {
 
 /// The storage of a lift-free step: that of the scheme for multipliers, and a record of the earlier steps.
 #[derive(Debug)]
-pub struct MultiplierSpace<S: Scheme, M: Multipliers, T: Real = f64> {
+pub struct MultiplierWorkspace<S: Scheme, M: Multipliers, T: Real = f64> {
     scheme: S::Workspace<Multiplier<M, T>>,
     course: Option<CourseOf<M, T>>,
 }
@@ -257,10 +257,10 @@ where
 {
     type State = Point<M::Space, T>;
     type Momentum = Point<M::Space, T>;
-    type Workspace = MultiplierSpace<S, M, T>;
+    type Workspace = MultiplierWorkspace<S, M, T>;
 
     fn workspace(&self) -> Self::Workspace {
-        MultiplierSpace { scheme: self.scheme.workspace(), course: None }
+        MultiplierWorkspace { scheme: self.scheme.workspace(), course: None }
     }
 
     #[cfg_attr(optimised, inline(always))]

@@ -1,11 +1,11 @@
 //! Integrators whose vector field can be evaluated over SIMD lanes: [`FieldInLanes`].
 
-use crate::dual::collective::Collective;
-use crate::dual::compensated::Increments;
-use crate::dual::direct::Direct;
-use crate::dual::lift_free::LiftFree;
-use crate::dual::multiplier_field::AnyScalar;
 use crate::error::StepError;
+use crate::integrators::collective::Collective;
+use crate::integrators::compensated::Increments;
+use crate::integrators::direct::Direct;
+use crate::integrators::lift_free::LiftFree;
+use crate::integrators::multiplier_field::AnyScalar;
 use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
 use crate::stages::lane_field::{InLanes, LaneField};
 use lie_poisson::{Hamiltonian, InstructionSet, Pair};

@@ -1,9 +1,9 @@
 //! Schemes applied directly to the equations: [`Direct`].
 
-use crate::dual::compensated::{Compensated, Increments};
-use crate::dual::state_is_momentum::StateIsMomentum;
-use crate::dual::trajectories::integrator::Integrator;
 use crate::error::StepError;
+use crate::integrators::compensated::{Compensated, Increments};
+use crate::integrators::state_is_momentum::StateIsMomentum;
+use crate::integrators::trajectories::integrator::Integrator;
 use crate::schemes::scheme::{Increment, Scheme, Step};
 use crate::vector_field::VectorField;
 use lie_poisson::{Pair, Real, State};

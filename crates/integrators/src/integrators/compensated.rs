@@ -1,8 +1,8 @@
 //! Compensated summation, which carries the rounding errors of the steps along: [`Compensated`].
 
-use crate::dual::trajectories::integrator::Integrator;
-use crate::dual::trajectories::start::Start;
 use crate::error::StepError;
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
 use crate::schemes::scheme::{Increment, Step};
 use crate::sums::two_sum::add_compensated;
 use lie_poisson::{Pair, Real, State};

@@ -1,8 +1,8 @@
 //! The spherical midpoint method: [`SphericalMidpoint`].
 
-use crate::dual::state_is_momentum::StateIsMomentum;
-use crate::dual::trajectories::integrator::Integrator;
 use crate::error::StepError;
+use crate::integrators::state_is_momentum::StateIsMomentum;
+use crate::integrators::trajectories::integrator::Integrator;
 use crate::iteration::convergence::unknown;
 use crate::iteration::stage_scale::OwnScale;
 use crate::iteration::stage_solver::StageSolver;
@@ -106,7 +106,7 @@ fn project<T: Real>(u: &mut [Vector3<T>], w: &[Vector3<T>]) {
 
 /// The storage of a step of the [`SphericalMidpoint`] method.
 #[derive(Clone, Debug)]
-pub struct SphericalSpace<V: State> {
+pub struct SphericalWorkspace<V: State> {
     pool: V::Pool,
 }
 
@@ -157,10 +157,10 @@ where
 {
     type State = F::Point;
     type Momentum = F::Point;
-    type Workspace = SphericalSpace<F::Point>;
+    type Workspace = SphericalWorkspace<F::Point>;
 
     fn workspace(&self) -> Self::Workspace {
-        SphericalSpace { pool: Default::default() }
+        SphericalWorkspace { pool: Default::default() }
     }
 
     /// # Errors
@@ -171,7 +171,7 @@ where
         &self,
         w: &F::Point,
         step: f64,
-        SphericalSpace { pool }: &mut Self::Workspace,
+        SphericalWorkspace { pool }: &mut Self::Workspace,
     ) -> Result<Step<F::Point>, StepError> {
         self.end(w, step, pool)?.finite()
     }
@@ -181,7 +181,7 @@ where
         &self,
         w: &mut F::Point,
         step: f64,
-        SphericalSpace { pool }: &mut Self::Workspace,
+        SphericalWorkspace { pool }: &mut Self::Workspace,
     ) -> Result<usize, StepError> {
         let Step { point: mut end, iterations } = self.end(w, step, pool)?;
         let finite = end.all_finite();

@@ -1,17 +1,17 @@
 //! The collective integrator: [`Collective`].
 
-use crate::dual::compensated::{Compensated, Increments};
-use crate::dual::finite_momentum::has_finite_momentum;
-use crate::dual::recentring_threshold::{RecentringThreshold, moves_along};
-use crate::dual::trajectories::integrator::Integrator;
-use crate::dual::trajectories::start::Start;
 use crate::error::StepError;
+use crate::integrators::compensated::{Compensated, Increments};
+use crate::integrators::finite_momentum::has_finite_momentum;
+use crate::integrators::recentring_threshold::{RecentringThreshold, moves_along};
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
 use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
 use crate::sums::two_sum::exact_sum;
 use crate::vector_field::{VectorField, dual_differential};
 use lie_poisson::{DualNumber, Hamiltonian, Mask, Pair, Real, Vector, derivative_part, seed};
 use momentum_map::{
-    CollectiveHamiltonian, Far, Lift, LiftError, PoissonMap, RecentringSpace, SourcePoint,
+    CollectiveHamiltonian, Far, Lift, LiftError, PoissonMap, RecentringWorkspace, SourcePoint,
     TargetPoint,
 };
 
@@ -185,17 +185,17 @@ where
 
 /// The storage of a step of [`Collective`]: the storage of the scheme, and the data for moving z along its fibre.
 #[derive(Clone, Debug)]
-pub struct CollectiveSpace<W, V: Vector> {
+pub struct CollectiveWorkspace<W, V: Vector> {
     scheme: W,
     threshold: RecentringThreshold<V>,
-    recentring: RecentringSpace<V::Scalar>,
+    recentring: RecentringWorkspace<V::Scalar>,
     /// Whether z stays where the scheme takes it on its fibre.
     pinned: bool,
 }
 
 /// The storage of a step of a [`Collective`] integrator with scheme `S` and map `M`.
 type SpaceOf<S, M, T> =
-    CollectiveSpace<<S as Scheme>::Workspace<SourcePoint<M, T>>, SourcePoint<M, T>>;
+    CollectiveWorkspace<<S as Scheme>::Workspace<SourcePoint<M, T>>, SourcePoint<M, T>>;
 
 impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     /// Returns the point of the fibre through z from which a step starts.
@@ -209,7 +209,7 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
     ) -> SourcePoint<M, T> {
         let mut moved = *z;
         if let (Some(far), false) = (self.moves, workspace.pinned) {
-            let CollectiveSpace { threshold, recentring, .. } = workspace;
+            let CollectiveWorkspace { threshold, recentring, .. } = workspace;
             threshold.recentre_if_grown(
                 &mut moved,
                 far,
@@ -286,10 +286,10 @@ where
 
     fn workspace(&self) -> Self::Workspace {
         let scheme = self.scheme.workspace();
-        CollectiveSpace {
+        CollectiveWorkspace {
             scheme,
             threshold: RecentringThreshold::default(),
-            recentring: RecentringSpace::new(self.moves.unwrap_or_default()),
+            recentring: RecentringWorkspace::new(self.moves.unwrap_or_default()),
             pinned: false,
         }
     }

@@ -1,7 +1,7 @@
 //! Integrators whose state is the momentum: [`StateIsMomentum`].
 
-use crate::dual::trajectories::integrator::Integrator;
-use crate::dual::trajectories::start::Start;
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
 use lie_poisson::Real;
 use momentum_map::LiftError;
 

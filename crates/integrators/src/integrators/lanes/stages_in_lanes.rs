@@ -1,11 +1,11 @@
 //! Integrators that compute the stages of a step side by side: [`StagesInLanes`].
 
-use crate::dual::compensated::{Compensated, Increments};
-use crate::dual::lanes::fastest_set::FastestSet;
-use crate::dual::lanes::field_in_lanes::FieldInLanes;
-use crate::dual::trajectories::integrator::Integrator;
-use crate::dual::trajectories::start::Start;
 use crate::error::StepError;
+use crate::integrators::compensated::{Compensated, Increments};
+use crate::integrators::lanes::fastest_set::FastestSet;
+use crate::integrators::lanes::field_in_lanes::FieldInLanes;
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
 use crate::schemes::scheme::{Increment, Step};
 use lie_poisson::{InstructionSet, MissingInstructions, Pair, State};
 use momentum_map::LiftError;

@@ -1,8 +1,8 @@
 //! Collective methods without a lift for N copies of 𝔤∗: [`LiftFreeSites`].
 
-use crate::dual::state_is_momentum::StateIsMomentum;
-use crate::dual::trajectories::integrator::Integrator;
 use crate::error::StepError;
+use crate::integrators::state_is_momentum::StateIsMomentum;
+use crate::integrators::trajectories::integrator::Integrator;
 use crate::schemes::scheme::{Equivariant, Step};
 use crate::stage_frame::StageFrame;
 use crate::stages::checkpoints::CHECKPOINT;
@@ -88,7 +88,7 @@ impl<S: Equivariant, M: Multipliers, H> LiftFreeSites<S, M, H> {
 
 /// The storage of a step of [`LiftFreeSites`].
 #[derive(Debug)]
-pub struct LiftFreeSitesSpace<W, Q, E> {
+pub struct LiftFreeSitesWorkspace<W, Q, E> {
     scheme: W,
     velocities: RefCell<(Covector<Sites<E>>, Sites<E>)>,
     one: Sites<Q>,
@@ -185,13 +185,13 @@ impl<S, M, H> LiftFreeSites<S, M, H> {
     fn prepare<W, A, T>(
         &self,
         mu: &Covector<Sites<A::Element<T>>>,
-        space: &mut LiftFreeSitesSpace<W, Multiplier<M, T>, A::Element<T>>,
+        space: &mut LiftFreeSitesWorkspace<W, Multiplier<M, T>, A::Element<T>>,
     ) where
         M: Multipliers<Space = LiePoisson<A>>,
         A: LieAlgebra,
         T: Real,
     {
-        let LiftFreeSitesSpace { velocities, one, course, .. } = space;
+        let LiftFreeSitesWorkspace { velocities, one, course, .. } = space;
         let count = mu.0.len();
         if one.len() != count {
             *one = (0..count).map(|_| self.multipliers.one::<T>()).collect();
@@ -222,12 +222,15 @@ where
 {
     type State = Covector<Sites<A::Element<T>>>;
     type Momentum = Covector<Sites<A::Element<T>>>;
-    type Workspace =
-        LiftFreeSitesSpace<S::Workspace<Sites<Multiplier<M, T>>>, Multiplier<M, T>, A::Element<T>>;
+    type Workspace = LiftFreeSitesWorkspace<
+        S::Workspace<Sites<Multiplier<M, T>>>,
+        Multiplier<M, T>,
+        A::Element<T>,
+    >;
 
     fn workspace(&self) -> Self::Workspace {
         let none = || State::zeros_of(&0);
-        LiftFreeSitesSpace {
+        LiftFreeSitesWorkspace {
             scheme: self.scheme.workspace(),
             velocities: RefCell::new((State::zeros_of(&0), State::zeros_of(&0))),
             one: none(),
@@ -251,7 +254,7 @@ where
         workspace: &mut Self::Workspace,
     ) -> Result<usize, StepError> {
         self.prepare::<_, A, T>(mu, workspace);
-        let LiftFreeSitesSpace { scheme: storage, velocities, one, course } = workspace;
+        let LiftFreeSitesWorkspace { scheme: storage, velocities, one, course } = workspace;
         let continues = course.steps > 0;
         if !continues {
             self.scheme.forget(storage);
