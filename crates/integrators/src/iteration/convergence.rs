@@ -1,4 +1,4 @@
-//! The convergence test of iterations, in each lane by itself: [`Watch`].
+//! The convergence test of iterations, in each lane by itself: [`ConvergenceTest`].
 
 use lie_poisson::{Mask, Real};
 
@@ -44,7 +44,7 @@ const NEAR: f64 = 0.5;
 const CONTRACTING: f64 = 16.0;
 
 /// The changes of an iteration, watched until they are round-off, in each lane as if there were no others.
-pub(crate) struct Watch<T> {
+pub(crate) struct ConvergenceTest<T> {
     previous: T,
     least: T,
     /// The last two ratios of a change to the one before it, above round-off.
@@ -69,7 +69,7 @@ pub(crate) fn unknown<T: Real>() -> Ratios<T> {
     [T::from_f64(f64::INFINITY); 2]
 }
 
-impl<T: Real> Watch<T> {
+impl<T: Real> ConvergenceTest<T> {
     /// Creates a watch for an iteration that is expected to have the given ratios of changes.
     #[cfg_attr(optimised, inline(always))]
     pub(crate) fn new(ratios: Ratios<T>) -> Self {
@@ -154,12 +154,12 @@ pub(crate) fn is_finite<T: Real>(magnitude: T) -> T::Mask {
 
 #[cfg(test)]
 mod tests {
-    use super::{Watch, unknown};
+    use super::{ConvergenceTest, unknown};
     use lie_poisson::{DefaultLanes, Lanes, Mask, Real};
 
     /// Returns the number of the first change at which an iteration converges.
     fn last(changes: impl IntoIterator<Item = f64>) -> Option<usize> {
-        let mut watch = Watch::new(unknown());
+        let mut watch = ConvergenceTest::new(unknown());
         changes.into_iter().position(|change| watch.converged(change * f64::EPSILON, 1.0))
     }
 
@@ -174,7 +174,7 @@ mod tests {
         assert_eq!(last([1e6, 1e4, 100.0, 1.5, 1.2]), Some(3));
         // The ratios of the iteration before are used, but current ones have more weight.
         let after = |ratio: f64, changes: [f64; 2]| {
-            let mut watch = Watch::new([ratio; 2]);
+            let mut watch = ConvergenceTest::new([ratio; 2]);
             changes.map(|change| watch.converged(change * f64::EPSILON, 1.0))
         };
         assert_eq!(after(0.03, [100.0, 3.0]), [false, false]);
@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn changes_that_grow_lead_astray() {
         let astray = |changes: &[f64]| {
-            let mut watch = Watch::new(unknown());
+            let mut watch = ConvergenceTest::new(unknown());
             for change in changes {
                 watch.converged(*change, 1.0);
             }
@@ -222,8 +222,8 @@ mod tests {
             [1.0, 1e-3, 2e-14, 1.0],
         ];
         let expected = [[false; 4], [true, true, false, true], [false; 4], [false; 4]];
-        let mut together = Watch::new(unknown());
-        let mut alone = [0, 1, 2, 3].map(|_| Watch::new(unknown()));
+        let mut together = ConvergenceTest::new(unknown());
+        let mut alone = [0, 1, 2, 3].map(|_| ConvergenceTest::new(unknown()));
         for (n, changes) in changes.iter().enumerate() {
             let converged =
                 together.converged(DefaultLanes::load(changes), DefaultLanes::from_f64(1.0));

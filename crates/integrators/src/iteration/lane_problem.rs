@@ -3,7 +3,7 @@
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::Ratios;
 use crate::iteration::stage_rows::{StageColumns, StageRow, StageRows, WIDTH};
-use crate::iteration::stage_scale::{Progress, StageScale};
+use crate::iteration::stage_scale::{StageScale, SweepChange};
 use crate::iteration::stage_solver::{StageSolver, Unconverged};
 use core::hint::black_box;
 use lie_poisson::{Lanes, Mask, Real, State, Vector};
@@ -52,12 +52,12 @@ impl<V: State> LaneProblem<'_, V> {
                 // take it from the registers in which it was computed, which costs shuffles.
                 let rows = black_box(&mut **rows);
                 let mut progress =
-                    Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
+                    SweepChange { change: BlockSizes::zero(), size: BlockSizes::zero() };
                 for block in 0..S.div_ceil(T::COUNT) {
                     sweep.advance::<T, W, S>(&field, near.any(), block, rows, &mut progress);
                 }
-                let Progress { change, size } = &progress;
-                Progress { change: largest_lanes(change), size: largest_lanes(size) }
+                let SweepChange { change, size } = &progress;
+                SweepChange { change: largest_lanes(change), size: largest_lanes(size) }
             },
         );
         self.read_rows();
@@ -107,7 +107,7 @@ impl<V: State> Sweep<'_, V> {
         near: bool,
         block: usize,
         StageRows { k, small }: &mut StageRows,
-        progress: &mut Progress<W>,
+        progress: &mut SweepChange<W>,
     ) {
         if near && let Some(low) = &self.columns.low {
             for (small, k) in small.iter_mut().zip(&*k) {

@@ -32,7 +32,7 @@ const LEAST_RATE: f64 = 1.0 / (1 << 20) as f64;
 
 /// The changes of an iteration, and the sizes of its results.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Progress<V: State> {
+pub(crate) struct SweepChange<V: State> {
     /// The sizes of the last changes.
     pub(crate) change: BlockSizes<V>,
     /// The sizes of the stage derivatives.
@@ -42,10 +42,10 @@ pub(crate) struct Progress<V: State> {
 /// A scale with which the changes of an iteration for stage equations are compared.
 pub(crate) trait Scale<V: State> {
     /// Returns a change, and the size with which it is to be compared.
-    fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar);
+    fn compare(&self, progress: &SweepChange<V>) -> (V::Scalar, V::Scalar);
 
     /// Returns the lanes in which h |δk_b| is at most a tolerance times the larger of |z_b| and h |k_b|.
-    fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V>;
+    fn accepts(&self, progress: &SweepChange<V>, tolerance: f64) -> MaskOf<V>;
 }
 
 /// The scale of unknowns that are not derivatives of the state: each block is compared with itself.
@@ -54,7 +54,7 @@ pub(crate) struct OwnScale;
 
 impl<V: State> Scale<V> for OwnScale {
     #[cfg_attr(optimised, inline(always))]
-    fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
+    fn compare(&self, progress: &SweepChange<V>) -> (V::Scalar, V::Scalar) {
         compare_by(
             progress,
             #[cfg_attr(optimised, inline(always))]
@@ -63,7 +63,7 @@ impl<V: State> Scale<V> for OwnScale {
     }
 
     #[cfg_attr(optimised, inline(always))]
-    fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V> {
+    fn accepts(&self, progress: &SweepChange<V>, tolerance: f64) -> MaskOf<V> {
         progress.change.at_most(
             #[cfg_attr(optimised, inline(always))]
             |b| progress.size.at(b) * tolerance,
@@ -77,7 +77,7 @@ impl<V: State> Scale<V> for OwnScale {
 /// below it has fewer digits than the iteration is to find.
 #[cfg_attr(optimised, inline(always))]
 fn compare_by<V: State>(
-    Progress { change, size }: &Progress<V>,
+    SweepChange { change, size }: &SweepChange<V>,
     scale: impl Fn(usize) -> V::Scalar,
 ) -> (V::Scalar, V::Scalar) {
     let least = V::Scalar::from_f64(f64::MIN_POSITIVE);
@@ -95,7 +95,7 @@ fn compare_by<V: State>(
 /// The limit on a change as a multiple of a scale, so that a quotient does not overflow.
 const BEYOND: f64 = 1.0 / (1_u64 << 60) as f64;
 
-impl<V: State> Progress<V> {
+impl<V: State> SweepChange<V> {
     /// Counts residuals above the round-off of terms of the given sizes as changes, and the terms as stage derivatives.
     pub(crate) fn include_residual(&mut self, residual: &BlockSizes<V>, terms: &BlockSizes<V>) {
         self.change.include_above(residual, |b| terms.at(b) * ROUND_OFF);
@@ -115,7 +115,7 @@ impl<V: State> StageScale<V> {
 
 impl<V: State> Scale<V> for StageScale<V> {
     #[cfg_attr(optimised, inline(always))]
-    fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
+    fn compare(&self, progress: &SweepChange<V>) -> (V::Scalar, V::Scalar) {
         let (zero, size) = (V::Scalar::from_f64(0.0), &progress.size);
         let rate = size.largest_unchecked(
             #[cfg_attr(optimised, inline(always))]
@@ -133,7 +133,7 @@ impl<V: State> Scale<V> for StageScale<V> {
     }
 
     #[cfg_attr(optimised, inline(always))]
-    fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V> {
+    fn accepts(&self, progress: &SweepChange<V>, tolerance: f64) -> MaskOf<V> {
         progress.change.at_most(
             #[cfg_attr(optimised, inline(always))]
             |b| {
@@ -151,7 +151,7 @@ pub(crate) struct TermScale<'a, V: State> {
 }
 
 impl<V: State> TermScale<'_, V> {
-    fn with_terms(&self, progress: &Progress<V>) -> Progress<V> {
+    fn with_terms(&self, progress: &SweepChange<V>) -> SweepChange<V> {
         let mut progress = progress.clone();
         progress.size.include_above(self.terms, |_| V::Scalar::from_f64(0.0));
         progress
@@ -159,18 +159,18 @@ impl<V: State> TermScale<'_, V> {
 }
 
 impl<V: State> Scale<V> for TermScale<'_, V> {
-    fn compare(&self, progress: &Progress<V>) -> (V::Scalar, V::Scalar) {
+    fn compare(&self, progress: &SweepChange<V>) -> (V::Scalar, V::Scalar) {
         self.scale.compare(&self.with_terms(progress))
     }
 
-    fn accepts(&self, progress: &Progress<V>, tolerance: f64) -> MaskOf<V> {
+    fn accepts(&self, progress: &SweepChange<V>, tolerance: f64) -> MaskOf<V> {
         self.scale.accepts(&self.with_terms(progress), tolerance)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Progress, Scale, StageScale};
+    use super::{Scale, StageScale, SweepChange};
     use crate::iteration::block_sizes::BlockSizes;
     use lie_poisson::Pair;
     use nalgebra::Vector1;
@@ -183,7 +183,8 @@ mod tests {
 
     /// Returns the relative change of k by `change`, in a step of 1/10 from z.
     fn relative(z: Two, k: Two, change: Two) -> f64 {
-        let progress = Progress { change: BlockSizes::of(&[change]), size: BlockSizes::of(&[k]) };
+        let progress =
+            SweepChange { change: BlockSizes::of(&[change]), size: BlockSizes::of(&[k]) };
         let (change, size) = StageScale::new(&z, 0.1).compare(&progress);
         change / size
     }
@@ -219,11 +220,11 @@ mod tests {
     fn a_size_is_at_least_the_smallest_normal_number() {
         let one = |x: f64| BlockSizes::of(&[Vector1::new(x)]);
         for (k, size) in [(1.0, 1.0), (1e-310, f64::MIN_POSITIVE), (0.0, f64::MIN_POSITIVE)] {
-            let progress = Progress { change: one(5e-324), size: one(k) };
+            let progress = SweepChange { change: one(5e-324), size: one(k) };
             let scale = StageScale::new(&Vector1::new(0.5), 0.1);
             assert_eq!(scale.compare(&progress), (5e-324, size));
         }
-        let progress = Progress { change: one(0.0), size: one(f64::NAN) };
+        let progress = SweepChange { change: one(0.0), size: one(f64::NAN) };
         assert!(StageScale::new(&Vector1::new(0.5), 0.1).compare(&progress).1.is_nan());
     }
 
@@ -232,7 +233,7 @@ mod tests {
     fn a_change_is_accepted_if_the_end_moves_by_less_than_the_tolerance() {
         let accepts = |z: Two, k: Two, change: Two| {
             let progress =
-                Progress { change: BlockSizes::of(&[change]), size: BlockSizes::of(&[k]) };
+                SweepChange { change: BlockSizes::of(&[change]), size: BlockSizes::of(&[k]) };
             StageScale::new(&z, 0.1).accepts(&progress, 1e-3)
         };
         for (z, k, largest) in [(4.0, 1.0, 4e-2), (0.5, 20.0, 2e-2), (0.0, 1e-20, 1e-23)] {

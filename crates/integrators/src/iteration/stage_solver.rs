@@ -2,8 +2,8 @@
 
 use crate::error::StepError;
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
-use crate::iteration::convergence::{FLOOR, Ratios, Watch, is_finite, unknown};
-use crate::iteration::stage_scale::{OwnScale, Progress, Scale};
+use crate::iteration::convergence::{ConvergenceTest, FLOOR, Ratios, is_finite, unknown};
+use crate::iteration::stage_scale::{OwnScale, Scale, SweepChange};
 use lie_poisson::{Mask, Real, State, larger};
 use nalgebra::Vector1;
 
@@ -192,7 +192,7 @@ impl StageSolver {
     pub fn solve_by_sweeps(&self, mut sweep: impl FnMut() -> [f64; 2]) -> Result<usize, StepError> {
         let advance = |_, _| {
             let [change, size] = sweep().map(|x| BlockSizes::of(&[Vector1::new(x)]));
-            Progress { change, size }
+            SweepChange { change, size }
         };
         self.iterate(self.max_iterations, (false, true), &OwnScale, &mut unknown(), advance)
             .map_err(|unconverged| unconverged.error)
@@ -245,7 +245,7 @@ impl StageSolver {
         done: MaskOf<V>,
         scale: &impl Scale<V>,
         k: &mut [V],
-        mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> Progress<V>,
+        mut advance: impl FnMut(MaskOf<V>, &mut [V]) -> SweepChange<V>,
     ) -> Result<usize, Unconverged<MaskOf<V>>> {
         let lanes = (done, MaskOf::<V>::from_bool(false));
         self.iterate(most, lanes, scale, &mut unknown(), |done, _| advance(done, k))
@@ -263,12 +263,12 @@ impl StageSolver {
         (done, mut close): (MaskOf<V>, MaskOf<V>),
         scale: &impl Scale<V>,
         pace: &mut Ratios<V::Scalar>,
-        mut advance: impl FnMut(MaskOf<V>, MaskOf<V>) -> Progress<V>,
+        mut advance: impl FnMut(MaskOf<V>, MaskOf<V>) -> SweepChange<V>,
     ) -> Result<usize, Unconverged<MaskOf<V>>> {
-        let mut watch = Watch::new(*pace);
+        let mut watch = ConvergenceTest::new(*pace);
         let none = MaskOf::<V>::from_bool(false);
         let (mut converged, mut lost, mut near, mut astray) = (done, none, none, none);
-        let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
+        let mut progress = SweepChange { change: BlockSizes::zero(), size: BlockSizes::zero() };
         let mut iterations = 0;
         while iterations < most && !converged.or(lost).all() {
             iterations += 1;
@@ -327,8 +327,8 @@ pub(crate) fn sweep<V: State>(
     k: &mut [V],
     spare: &mut V,
     mut derivative: impl FnMut(usize, &[V], &mut V),
-) -> Progress<V> {
-    let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
+) -> SweepChange<V> {
+    let mut progress = SweepChange { change: BlockSizes::zero(), size: BlockSizes::zero() };
     for i in 0..k.len() {
         // A local variable of a small type stays in registers.
         let mut local;

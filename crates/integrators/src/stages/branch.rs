@@ -4,7 +4,7 @@ use crate::error::StepError;
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::unknown;
 use crate::iteration::lane_problem::Outcome;
-use crate::iteration::stage_scale::{Progress, Scale, StageScale, TermScale};
+use crate::iteration::stage_scale::{Scale, StageScale, SweepChange, TermScale};
 use crate::iteration::stage_solver::{
     NEWTON_ITERATIONS, StageSolver, Unconverged, fill_unless, set_combination, sweep,
 };
@@ -252,7 +252,7 @@ impl<T: Real> Branch<'_, T> {
 
     /// Returns the lanes in which two solutions are the same.
     fn equal(&self, terms: &Sizes<T>, k: &[FlatState<T>], other: &[FlatState<T>]) -> T::Mask {
-        let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::of(k) };
+        let mut progress = SweepChange { change: BlockSizes::zero(), size: BlockSizes::of(k) };
         for (k, other) in k.iter().zip(other) {
             progress.change.include_difference(k, other);
         }

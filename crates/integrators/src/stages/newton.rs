@@ -1,7 +1,7 @@
 //! Newton's iteration for the stage equations.
 
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
-use crate::iteration::stage_scale::Progress;
+use crate::iteration::stage_scale::SweepChange;
 use crate::iteration::stage_solver::set_combination;
 use crate::tableaux::tableau::Tableau;
 use crate::vector_field::VectorField;
@@ -52,7 +52,7 @@ pub(crate) fn newton_step<V: State>(
     done: MaskOf<V>,
     k: &mut [V],
     space: &mut NewtonWorkspace<V::Scalar>,
-) -> Progress<V> {
+) -> SweepChange<V> {
     let units = units(z, step, k);
     let mut progress = assemble(field, (z, step), tableau, k, &units, space);
     let regular = solve_linear(&mut space.matrix, &mut space.residual);
@@ -79,13 +79,13 @@ fn assemble<V: State>(
     k: &[V],
     units: &V,
     space: &mut NewtonWorkspace<V::Scalar>,
-) -> Progress<V> {
+) -> SweepChange<V> {
     let dimension = z.dimension();
     let size = k.len() * dimension;
     space.matrix.clear();
     space.matrix.resize(size * size, V::Scalar::from_f64(0.0));
     space.residual.clear();
-    let mut progress = Progress { change: BlockSizes::zero(), size: BlockSizes::zero() };
+    let mut progress = SweepChange { change: BlockSizes::zero(), size: BlockSizes::zero() };
     for (i, row) in tableau.rows().enumerate() {
         let mut point = z.zeros_like();
         set_combination(&mut point, tableau.row_low(i), k);
