@@ -122,7 +122,7 @@ pub struct MissingInstructions {
 ///
 /// # Speed
 /// Mark `run`, and every function below it that takes or returns `T`, with `#[inline(always)]`. Code that is not
-/// inlined into the function compiled for the processor's features is correct, but five to ten times slower. A
+/// inlined into the function compiled for the processor's features is correct, but up to 25 times slower. A
 /// function that is only `#[inline]` is not inlined across that boundary if it passes registers above 128 bits.
 /// Closures, iterators and the operators of nalgebra and num-complex are only `#[inline]`. So compute with
 /// components, in plain loops, or with [`cross`](crate::cross) and [`dot`](crate::dot). A closure that is passed as

@@ -16,6 +16,8 @@ const ROUNDS: usize = 5;
 pub(crate) struct FastestSet {
     /// The set that was asked for, or the widest one of those to choose from.
     widest: InstructionSet,
+    /// Whether there is a choice.
+    chooses: bool,
     /// The set of the steps, once it is known.
     found: OnceLock<InstructionSet>,
 }
@@ -23,12 +25,13 @@ pub(crate) struct FastestSet {
 impl FastestSet {
     /// Creates the choice of one set, without a measurement.
     pub(crate) fn given(set: InstructionSet) -> Self {
-        Self { widest: set, found: OnceLock::from(set) }
+        Self { widest: set, chooses: false, found: OnceLock::from(set) }
     }
 
     /// Creates the choice of the fastest set that this processor has, up to the given one.
     pub(crate) fn up_to(widest: InstructionSet) -> Self {
-        Self { widest: widest.min(InstructionSet::detected()), found: OnceLock::new() }
+        let widest = widest.min(InstructionSet::detected());
+        Self { widest, chooses: true, found: OnceLock::new() }
     }
 
     /// Returns the set of the steps, or before the first one the widest of those to choose from.
@@ -72,10 +75,10 @@ impl FastestSet {
     }
 }
 
-/// Two choices are equal if the same set was asked for. What a measurement has found does not count.
+/// Two choices are equal if the same was asked for. What a measurement has found does not count.
 impl PartialEq for FastestSet {
     fn eq(&self, other: &Self) -> bool {
-        self.widest == other.widest
+        (self.widest, self.chooses) == (other.widest, other.chooses)
     }
 }
 
@@ -103,6 +106,9 @@ mod tests {
             assert_eq!(made, if sets.len() > 1 { ROUNDS * sets.len() } else { 0 });
             assert_eq!(choice.find(|| true, trial), *fast);
             assert_eq!(runs.get(), made);
+            // A choice is the same one before and after it is made.
+            assert_eq!(choice, FastestSet::up_to(InstructionSet::detected()));
+            assert_ne!(choice, FastestSet::given(InstructionSet::detected()));
         }
     }
 
