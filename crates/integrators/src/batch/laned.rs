@@ -22,11 +22,11 @@ const TRIAL_STEPS: u64 = 8;
 /// one register).
 ///
 /// [`new`](Self::new) uses the lanes that every processor has. [`widest`](Self::widest) uses wider registers of the
-/// current processor where they are faster, which its first steps measure. Every integrator whose formulas are written over all
-/// scalars is suitable. Each member is bit-identical to its [trajectory](Integrator::trajectory_from) over `f64`, for
-/// all instruction sets and all neighbours: operations on lanes round as operations on `f64` do, and an iteration stops
-/// in each lane by itself. If an integrator has other formulas over `f64`, such as a fused kernel, its steps over `f64`
-/// differ by rounding from those over lanes. Even then, the neighbours do not matter.
+/// current processor where they are faster, which its first steps measure. Every integrator whose formulas are written
+/// over all scalars is suitable. Each member is bit-identical to its [trajectory](Integrator::trajectory_from) over
+/// `f64`, for all instruction sets and all neighbours: operations on lanes round as operations on `f64` do, and an
+/// iteration stops in each lane by itself. If an integrator has other formulas over `f64`, such as a fused kernel, its
+/// steps over `f64` differ by rounding from those over lanes. Even then, the neighbours do not matter.
 ///
 /// The steps are made in blocks that end at the multiples of [`CHECKPOINT`](crate::CHECKPOINT). If a step of some lane
 /// fails, or needs Newton's iteration in wide registers, the block is repeated from its start: first with four members
@@ -37,10 +37,11 @@ const TRIAL_STEPS: u64 = 8;
 /// # Speed of wide registers
 /// The rules of [`LaneTask`](lie_poisson::LaneTask) hold for the field or the Hamiltonian of the integrator: mark its
 /// methods, and what they call, with `#[inline(always)]`, and compute with components. A method without the mark is
-/// correct, but its operations become function calls, and its steps may be twenty times slower in wide registers than on
-/// the lanes that every processor has. [`widest`](Self::widest) then uses these. [`Direct`](crate::Direct), [`LiftFree`](crate::LiftFree) and
-/// [`Collective`](crate::Collective) integrators with [`RungeKutta`](crate::RungeKutta) methods and their compositions
-/// follow the rules; compensated sums, partitioned methods and splittings do not.
+/// correct, but its operations become function calls, and its steps may be twenty times slower in wide registers than
+/// on the lanes that every processor has. [`widest`](Self::widest) then uses these. [`Direct`](crate::Direct),
+/// [`LiftFree`](crate::LiftFree) and [`Collective`](crate::Collective) integrators with
+/// [`RungeKutta`](crate::RungeKutta) methods and their compositions follow the rules; compensated sums, partitioned
+/// methods and splittings do not.
 ///
 /// # Example
 /// Six harmonic oscillators, of which the fifth starts at NaN:

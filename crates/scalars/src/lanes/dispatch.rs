@@ -122,11 +122,11 @@ pub struct MissingInstructions {
 ///
 /// # Speed
 /// Mark `run`, and every function below it that takes or returns `T`, with `#[inline(always)]`. Code that is not
-/// inlined into the function compiled for the processor's features is correct, but up to 25 times slower. A
-/// function that is only `#[inline]` is not inlined across that boundary if it passes registers above 128 bits.
-/// Closures, iterators and the operators of nalgebra and num-complex are only `#[inline]`. So compute with
-/// components, in plain loops, or with [`cross`](crate::cross) and [`dot`](crate::dot). A closure that is passed as
-/// an argument can have the mark. [`DefaultLanes`](super::DefaultLanes) has no such restriction.
+/// inlined into the function compiled for the processor's features is correct, but up to 25 times slower. A function
+/// that is only `#[inline]` is not inlined across that boundary if it passes registers above 128 bits. Closures,
+/// iterators and the operators of nalgebra and num-complex are only `#[inline]`. So compute with components, in plain
+/// loops, or with [`cross`](crate::cross) and [`dot`](crate::dot). A closure that is passed as an argument can have the
+/// mark. [`DefaultLanes`](super::DefaultLanes) has no such restriction.
 pub trait LaneTask {
     /// The result of the computation.
     type Output;
