@@ -61,7 +61,7 @@
 //! | a kernel of your own for many trajectories | [`LaneKernel`], [`BatchIntegrator`] |
 //! | tangent vectors and Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
 //! | fast indicators of chaos: MEGNO and SALI | [`Megno`], [`smaller_alignment_index`] |
-//! | initial tangent vectors for these | [`generic_tangent`] |
+//! | initial tangent vectors for these | [`generic_tangents`] |
 //! | the order or a defect of a method, measured | the module [`diagnostics`] |
 //! | tests of your own types against the laws | the module `laws` (feature `laws`) |
 //!
@@ -120,7 +120,7 @@ pub use batch::ensemble::{Chunk, Ensemble, MemberError};
 pub use batch::group_engine::MOST_LANES;
 pub use batch::lane_kernel::{LaneKernel, LaneResults, Registers};
 pub use batch::laned::{Laned, LanedWorkspace};
-pub use chaos::generic_tangent::generic_tangent;
+pub use chaos::generic_tangents::generic_tangents;
 pub use chaos::lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent};
 pub use chaos::megno::Megno;
 pub use chaos::smaller_alignment::smaller_alignment_index;

@@ -2,7 +2,7 @@
 
 use collective_integrators::{
     Integrator, LiftFree, LyapunovExponents, RungeKutta, TangentIntegrator, VariationalFlow,
-    generic_tangent,
+    generic_tangents,
 };
 use heavytop::{HeavyTop, RigidBody};
 use lie_poisson::{Covector, Pair, Se3Dual, Vector, larger};
@@ -79,7 +79,7 @@ where
     I: TangentIntegrator + Integrator<State = Se3Dual>,
 {
     let flow = VariationalFlow::<_, 1>::generic(integrator, start, 6, step);
-    let plain: Se3Dual = generic_tangent(0, 6);
+    let plain: Se3Dual = generic_tangents(6).next().unwrap();
     State::from_fn(|i, _| flow.tangents()[0].coordinate(i) / plain.coordinate(i))
 }
 

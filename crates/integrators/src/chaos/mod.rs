@@ -1,6 +1,6 @@
 //! Tangent vectors along a trajectory, and indicators of chaos.
 
-pub(crate) mod generic_tangent;
+pub(crate) mod generic_tangents;
 pub(crate) mod tangent_integrator;
 pub(crate) mod tangent_scales;
 mod orthonormal_frame;

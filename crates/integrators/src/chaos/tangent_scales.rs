@@ -1,6 +1,6 @@
 //! The scales in which tangent vectors are measured: [`TangentScales`].
 
-use super::generic_tangent::generic_coordinate;
+use super::generic_tangents::generic_coordinate;
 use super::tangent_integrator::{DualStateOf, MomentumOf, StateOf, TangentIntegrator};
 use crate::error::StepError;
 use crate::integrators::trajectories::integrator::Integrator;

@@ -1,6 +1,6 @@
 //! Trajectories with their tangent vectors: [`VariationalFlow`].
 
-use super::generic_tangent::generic_coordinate;
+use super::generic_tangents::generic_coordinate;
 use super::orthonormal_frame::orthonormalise;
 use super::tangent_integrator::{
     DualStateOf, MomentumOf, StateOf, TangentIntegrator, VariationalError,
@@ -117,8 +117,8 @@ where
         }
     }
 
-    /// Creates a flow whose tangent vectors have no symmetry: the [`generic_tangent`](crate::generic_tangent)s
-    /// 0, …, K − 1 in units of the scales of the blocks.
+    /// Creates a flow whose tangent vectors have no symmetry: the first K of the
+    /// [`generic_tangents`](crate::generic_tangents) in units of the scales of the blocks.
     ///
     /// Coordinates from `dimension` on are zero in the first `dimension` vectors. It is the dimension of the states,
     /// unless coordinates that stay zero complete a smaller space.

@@ -154,7 +154,8 @@ where
     let image = |z: &SourcePoint<M>, v: &SourcePoint<M>| -> TargetPoint<M> {
         derivative_part(&map.apply::<DualNumber>(&seed(z, v)))
     };
-    let v: SourcePoint<M> = generic_tangent(1, <SourcePoint<M> as Vector>::DIM);
+    let mut tangents = generic_tangents(<SourcePoint<M> as Vector>::DIM);
+    let v: SourcePoint<M> = tangents.nth(1).unwrap();
     let mut flow = VariationalFlow::new(&lifted, z, [v], STEP);
     let (mut mu, mut below) = (map.apply::<f64>(&z), image(&z, &v));
     for _ in 0..steps {
