@@ -17,7 +17,9 @@ use momentum_map::LiftError;
 /// each step.
 ///
 /// All else is passed on, so that the steps keep their bits, predictions and registers. A wrapper of your own passes on
-/// the same methods. With stages side by side, one evaluation computes all stages in a register.
+/// the same methods. With stages side by side, one evaluation computes all stages in a register, and the steps by which
+/// [`StagesInLanes::widest`](crate::StagesInLanes::widest) and [`Laned::widest`](crate::Laned::widest) choose their
+/// registers are observed, too.
 ///
 /// # Example
 /// The evaluations of the field in a step of Gauss's method, in the first one and with the predictions of later ones:
