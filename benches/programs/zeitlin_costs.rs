@@ -66,7 +66,7 @@ fn error(a: &LargeSkewHermitian, b: &LargeSkewHermitian) -> f64 {
     let largest = |f: &dyn Fn(usize) -> f64| {
         (0..a.dimension()).map(|i| f(i).abs()).fold(0.0, lie_poisson::larger)
     };
-    largest(&|i| a.entry(i) - b.entry(i)) / largest(&|i| b.entry(i))
+    largest(&|i| a.coordinate(i) - b.coordinate(i)) / largest(&|i| b.coordinate(i))
 }
 
 fn save(path: &Path, w: &LargeSkewHermitian) -> std::io::Result<()> {

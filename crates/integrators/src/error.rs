@@ -115,7 +115,7 @@ impl StepError {
     /// Returns [`NotFiniteStart`](Self::NotFiniteStart) with the first coordinate that is not finite in some SIMD lane,
     /// or [`StepSize`](Self::StepSize).
     pub fn check_start<V: State>(start: &V, step: f64) -> Result<(), Self> {
-        let sizes = (0..start.dimension()).map(|i| start.entry(i).max_abs());
+        let sizes = (0..start.dimension()).map(|i| start.coordinate(i).max_abs());
         match sizes.enumerate().find(|(_, size)| !size.is_finite()) {
             Some((coordinate, size)) => Err(Self::NotFiniteStart { coordinate, size }),
             None if !step.is_finite() => Err(Self::StepSize { step }),

@@ -75,7 +75,7 @@ pub trait VectorField<T: Real = f64> {
         if point.same_shape(value) {
             value.move_from(&mut point);
         } else {
-            value.set_entries(|_| T::from_f64(f64::NAN));
+            value.set_coordinates(|_| T::from_f64(f64::NAN));
         }
     }
 

@@ -95,7 +95,7 @@ pub use generic_scalars::{
     UnfusedWorkspace, Vector, VectorSpace, Width, constant_times, constant_transpose_times, cross,
     derivative_part, differential, dispatch, dispatch_four, dispatch_unfused, dot, euclidean_norm,
     larger, map_coordinates, nearest_power_of_two, seed, solve_linear, squaring_scale,
-    state_by_value, transposed_tangent,
+    state_of_parts, transposed_tangent, vector_operators,
 };
 
 pub use algebras::algebra::{LieAlgebra, Momentum};

@@ -38,7 +38,7 @@
 //! | results bit-identical to `f64` in every lane, whatever the processor | a [`TaskOver`] the lanes that [`dispatch_unfused`] chooses |
 //! | the instruction set of the processor | [`InstructionSet::detected`] |
 //! | one vector of R³ in one register | [`FourLanes`] in a [`FourLanesTask`], run by [`dispatch_four`] |
-//! | a small type of your own as a vector | an implementation of [`Vector`], and [`state_by_value!`] with its [`Blocks`] of coordinates |
+//! | a structure of your own, of vectors, as a vector | [`state_of_parts!`], [`vector_operators!`] and an implementation of [`Vector`] |
 //! | a large type of your own, on the heap | an implementation of [`State`] |
 //! | N copies of a small space, with N known at run time | [`Sites`] |
 //! | elements of the dual space, as a separate type | [`Covector`] |

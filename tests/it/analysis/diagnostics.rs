@@ -176,8 +176,8 @@ impl Scheme for Stretched {
         workspace: &mut StageWorkspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
         let mut next = self.0.increment(field, z, step, workspace)?;
-        let (first, change) = (z.entry(0), next.point.entry(0));
-        next.point.set_entry(0, change + (first + change) * step);
+        let (first, change) = (z.coordinate(0), next.point.coordinate(0));
+        next.point.set_coordinate(0, change + (first + change) * step);
         Ok(next)
     }
 

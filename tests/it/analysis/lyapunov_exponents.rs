@@ -5,7 +5,7 @@ use collective_integrators::{
     generic_tangents,
 };
 use heavytop::{HeavyTop, RigidBody};
-use lie_poisson::{Covector, Pair, Se3Dual, Vector, larger};
+use lie_poisson::{Covector, Pair, Se3Dual, State, Vector, larger};
 use momentum_map::{DualQuaternions, Quaternions};
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use std::error::Error;
@@ -14,15 +14,15 @@ use workspace_tests::tops;
 type Outcome<T = ()> = Result<T, Box<dyn Error>>;
 
 /// The state (Π, Γ) as a vector of six numbers.
-type State = SVector<f64, 6>;
+type Coordinates = SVector<f64, 6>;
 type Tangents = SMatrix<f64, 6, 6>;
 
-fn vectors(x: &State) -> (Vector3<f64>, Vector3<f64>) {
+fn vectors(x: &Coordinates) -> (Vector3<f64>, Vector3<f64>) {
     (x.fixed_rows::<3>(0).into(), x.fixed_rows::<3>(3).into())
 }
 
-fn joined(pi: Vector3<f64>, gamma: Vector3<f64>) -> State {
-    State::from_fn(|i, _| if i < 3 { pi[i] } else { gamma[i - 3] })
+fn joined(pi: Vector3<f64>, gamma: Vector3<f64>) -> Coordinates {
+    Coordinates::from_fn(|i, _| if i < 3 { pi[i] } else { gamma[i - 3] })
 }
 
 /// The equations dΠ/dt = Π × Ω + m g l Γ × c, dΓ/dt = Γ × Ω.
@@ -38,13 +38,13 @@ impl Equations {
         Self { inverse_inertia: Vector3::new(1.0, 1.0 / 1.4, 1.0 / 2.1), weight }
     }
 
-    fn rate(&self, x: &State) -> State {
+    fn rate(&self, x: &Coordinates) -> Coordinates {
         let (pi, gamma) = vectors(x);
         let omega = pi.component_mul(&self.inverse_inertia);
         joined(pi.cross(&omega) + gamma.cross(&self.weight), gamma.cross(&omega))
     }
 
-    fn jacobian(&self, x: &State) -> Tangents {
+    fn jacobian(&self, x: &Coordinates) -> Tangents {
         let (pi, gamma) = vectors(x);
         let omega = pi.component_mul(&self.inverse_inertia);
         let hat = |v: Vector3<f64>| v.cross_matrix();
@@ -74,18 +74,18 @@ where
 }
 
 /// Returns the scales in whose units the flows of an integrator measure the coordinates of tangent vectors.
-fn scales_of<I>(integrator: &I, start: Se3Dual, step: f64) -> State
+fn scales_of<I>(integrator: &I, start: Se3Dual, step: f64) -> Coordinates
 where
     I: TangentIntegrator + Integrator<State = Se3Dual>,
 {
     let flow = VariationalFlow::<_, 1>::generic(integrator, start, 6, step);
     let plain: Se3Dual = generic_tangents(6).next().unwrap();
-    State::from_fn(|i, _| flow.tangents()[0].coordinate(i) / plain.coordinate(i))
+    Coordinates::from_fn(|i, _| flow.tangents()[0].coordinate(i) / plain.coordinate(i))
 }
 
 /// Returns the exponents up to a time by steps of h of the variational equation and Householder's QR, of tangent vectors in
 /// units of the scales.
-fn by_householder(start: &State, scales: &State, h: f64, time: f64) -> [f64; 6] {
+fn by_householder(start: &Coordinates, scales: &Coordinates, h: f64, time: f64) -> [f64; 6] {
     let equations = Equations::generic();
     let (scale, unscale) =
         (Tangents::from_diagonal(scales), Tangents::from_diagonal(&scales.map(f64::recip)));
@@ -96,7 +96,7 @@ fn by_householder(start: &State, scales: &State, h: f64, time: f64) -> [f64; 6] 
     let mut sums = [0.0; 6];
     for _ in 0..(time / h).round() as usize {
         both = rk4(&both, h, |both| {
-            let (x, v): (State, Tangents) =
+            let (x, v): (Coordinates, Tangents) =
                 (both.column(0).into(), both.fixed_columns::<6>(1).into());
             let mut rates = *both;
             rates.set_column(0, &equations.rate(&x));
@@ -122,9 +122,15 @@ fn by_householder(start: &State, scales: &State, h: f64, time: f64) -> [f64; 6] 
 ///
 /// Source: G. Benettin, L. Galgani & J.-M. Strelcyn, *Kolmogorov entropy and numerical experiments*,
 /// Phys. Rev. A 14 (1976).
-fn by_two_trajectories(start: &State, scales: &State, near: f64, h: f64, time: f64) -> f64 {
+fn by_two_trajectories(
+    start: &Coordinates,
+    scales: &Coordinates,
+    near: f64,
+    h: f64,
+    time: f64,
+) -> f64 {
     let equations = Equations::generic();
-    let (mut x, mut apart, mut sum) = (*start, State::x() * (scales.x * near), 0.0);
+    let (mut x, mut apart, mut sum) = (*start, Coordinates::x() * (scales.x * near), 0.0);
     for _ in 0..(time / h).round() as usize {
         let other = rk4(&(x + apart), h, |x| equations.rate(x));
         x = rk4(&x, h, |x| equations.rate(x));
@@ -140,7 +146,7 @@ fn chaotic_start() -> Se3Dual {
     Se3Dual::new(Vector3::new(0.5, 1.5, -0.3), Vector3::new(2.0, -3.0, 6.0) / 7.0)
 }
 
-fn chaotic_state() -> State {
+fn chaotic_state() -> Coordinates {
     let Covector(Pair(pi, gamma)) = chaotic_start();
     joined(pi, gamma)
 }
@@ -166,7 +172,7 @@ fn the_spectrum_of_a_chaotic_top_is_that_of_its_variational_equation() -> Outcom
     let pair = by_two_trajectories(&state, &scales, 1e-8, 0.0025, 50.0);
     assert!((pair - found[0]).abs() < 2e-6, "{pair} {}", found[0]);
     // Control: a neighbouring start has other exponents.
-    let other = by_householder(&(state + State::y() * 1e-3), &scales, 0.005, 50.0);
+    let other = by_householder(&(state + Coordinates::y() * 1e-3), &scales, 0.005, 50.0);
     assert!(gap(&found, &other) > 1e3 * tolerance);
     Ok(())
 }

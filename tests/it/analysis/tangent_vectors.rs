@@ -6,7 +6,7 @@ use collective_integrators::{
 };
 use heavytop::{HeavyTop, HeavyTopSpace, SpinorPoint, SpinorRealisation};
 use lie_poisson::{
-    DualNumber, LiePoisson, PoissonSpace, SO3OnR3, Se3Dual, SemidirectAlgebra, Vector,
+    DualNumber, LiePoisson, PoissonSpace, SO3OnR3, Se3Dual, SemidirectAlgebra, State, Vector,
     derivative_part, seed,
 };
 use momentum_map::{DualQuaternions, PoissonMap};

@@ -9,7 +9,7 @@ use core::ops::Range;
 use heavytop::{HeavyTop, HeavyTopSpace, ReducedMidpoint, SpinorRealisation};
 use lie_poisson::{
     Automatic, Covector, Energy, InstructionSet, Lanes, LiePoisson, Pair, Real, Se3, Se3Dual,
-    Vector, Width,
+    State, Vector, Width,
 };
 use momentum_map::DualQuaternions;
 use nalgebra::Vector1;
@@ -30,7 +30,7 @@ pub fn bits<V: Vector<Scalar = f64>>(v: &V) -> Vec<u64> {
     (0..V::DIM).map(|i| v.coordinate(i).to_bits()).collect()
 }
 
-pub type State<I> = <I as Integrator<f64>>::State;
+pub type StateOf<I> = <I as Integrator<f64>>::State;
 pub type Failures = Vec<(usize, u64)>;
 
 /// The bits of all members, and which of them failed at which step.
@@ -40,7 +40,7 @@ type Ends = (Vec<Vec<u64>>, Failures);
 type Advance<'a, M> = dyn Fn(InstructionSet, &[M]) -> Ends + 'a;
 
 /// Makes some steps of a group of members in the SIMD lanes of T, and returns which of them have a result.
-fn together<I, T>(integrator: &I, group: &mut [State<I>], h: f64, n: u64) -> LaneResults
+fn together<I, T>(integrator: &I, group: &mut [StateOf<I>], h: f64, n: u64) -> LaneResults
 where
     I: Integrator<f64, State: Vector> + Integrator<T, State: Vector>,
     T: Lanes,
@@ -64,13 +64,13 @@ where
 fn in_registers<I>(
     integrator: I,
     set: InstructionSet,
-    members: &[State<I>],
+    members: &[StateOf<I>],
     h: f64,
     steps: Range<u64>,
 ) -> Ends
 where
     I: Integrator<f64, State: Vector>,
-    Laned<I>: BatchIntegrator<Member = State<I>>,
+    Laned<I>: BatchIntegrator<Member = StateOf<I>>,
 {
     let batch = Laned::new(integrator).with_instructions(set).unwrap();
     ends(members, |members, failed| {
@@ -94,7 +94,7 @@ fn ends<V: Vector<Scalar = f64>>(
 /// Returns the same by trajectories, and all numbers of iterations that occurred.
 pub fn alone<I>(
     integrator: &I,
-    members: &[State<I>],
+    members: &[StateOf<I>],
     h: f64,
     steps: Range<u64>,
 ) -> (Vec<Vec<u64>>, Failures, BTreeSet<usize>)
@@ -129,10 +129,10 @@ where
 fn same_bits<I>(
     integrator: &I,
     (h, steps, differing): (f64, Range<u64>, bool),
-    others: &[&Advance<'_, State<I>>],
+    others: &[&Advance<'_, StateOf<I>>],
 ) where
     I: Start<f64, State: Vector, Momentum = Se3Dual> + Clone,
-    Laned<I>: BatchIntegrator<Member = State<I>>,
+    Laned<I>: BatchIntegrator<Member = StateOf<I>>,
 {
     let start = |mu: &Se3Dual| integrator.start(mu).unwrap();
     let members: Vec<_> = momenta(21).iter().map(start).collect();
@@ -170,7 +170,7 @@ macro_rules! same_bits_at_every_width {
         fn $name() {
             struct Kernel($type);
             impl LaneKernel for Kernel {
-                type Member = State<$type>;
+                type Member = StateOf<$type>;
                 fn together<T: Lanes>(&self, group: &mut [Self::Member], h: f64, n: u64) -> LaneResults {
                     together::<$type, T>(&self.0, group, h, n)
                 }
@@ -187,7 +187,7 @@ macro_rules! same_bits_at_every_width {
             let kernel = Kernel($integrator);
             let of_width = |width: Width| {
                 let kernel = &kernel;
-                move |set: InstructionSet, members: &[State<$type>]| {
+                move |set: InstructionSet, members: &[StateOf<$type>]| {
                     let registers = Registers::new(set, width).unwrap();
                     ends(members, |members, failed| {
                         registers.advance(kernel, members, $h, $steps, failed);
@@ -196,7 +196,7 @@ macro_rules! same_bits_at_every_width {
             };
             let widths = Width::ALL.map(of_width);
             let others = widths.each_ref().map(|other| {
-                let other: &Advance<'_, State<$type>> = other;
+                let other: &Advance<'_, StateOf<$type>> = other;
                 other
             });
             same_bits(&kernel.0, ($h, $steps, $differing), &others);

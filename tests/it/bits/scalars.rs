@@ -6,8 +6,8 @@ use collective_integrators::{
 };
 use heavytop::{HeavyTop, SpinorPoint, SpinorRealisation};
 use lie_poisson::{
-    DefaultLanes, DualNumber, Lanes, LiePoisson, Real, Se3, Se3Dual, Vector, derivative_part,
-    map_coordinates, seed,
+    DefaultLanes, DualNumber, Lanes, LiePoisson, Real, Se3, Se3Dual, State, Vector,
+    derivative_part, map_coordinates, seed,
 };
 use momentum_map::Lift;
 use std::error::Error;

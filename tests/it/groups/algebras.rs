@@ -4,7 +4,7 @@
 use heavytop::SpinorAlgebra;
 use lie_poisson::{
     Casimirs, Covector, LieAlgebra, Momentum, Pair, Real, SU2OnC2, Se3, SemidirectAlgebra, So3,
-    Su2, Vector,
+    State, Su2, Vector,
 };
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 use num_complex::Complex;
@@ -33,9 +33,9 @@ fn laws<A: LieAlgebra>(algebra: &A, x: &[Element<A>; 3], mu: &Momentum<A>) {
     assert!(jacobi(algebra, x) <= ROUND_OFF);
     assert_near(&bracket(xi, eta), &-bracket(eta, xi), 0.0);
     let mut combination = *eta;
-    combination.add_scaled(-1.5, zeta);
+    combination.add_multiple(-1.5, zeta);
     let mut expected = bracket(xi, eta);
-    expected.add_scaled(-1.5, &bracket(xi, zeta));
+    expected.add_multiple(-1.5, &bracket(xi, zeta));
     assert_near(&bracket(xi, &combination), &expected, ROUND_OFF);
 
     // The pairing ⟨ad*_ξ μ, η⟩ = ⟨μ, [ξ, η]⟩, and the trait's own definition.

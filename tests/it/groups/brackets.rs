@@ -3,8 +3,8 @@
 use heavytop::{Body, HeavyTop, HeavyTopSpace, Invariant, SpinorAlgebra, SpinorPoint, TopError};
 use lie_poisson::{
     ComplexSpace, Covector, DualNumber, Hamiltonian, LieAlgebra, LiePoisson, Momentum, Pair,
-    PoissonSpace, SU2OnC2, Se3, Se3Dual, SemidirectAlgebra, So3, Su2, Vector, derivative_part,
-    differential, seed,
+    PoissonSpace, SU2OnC2, Se3, Se3Dual, SemidirectAlgebra, So3, State, Su2, Vector,
+    derivative_part, differential, seed,
 };
 use momentum_map::{CotangentBundle, SymplecticSpace};
 use nalgebra::{Vector2, Vector3};

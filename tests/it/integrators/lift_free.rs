@@ -4,8 +4,8 @@ use collective_integrators::diagnostics::step_poisson_defect;
 use collective_integrators::{Collective, Integrator, LiftFree, RungeKutta, Start};
 use heavytop::{Body, HeavyTop, RigidBody, SpinorRealisation};
 use lie_poisson::{
-    Covector, DualNumber, Hamiltonian, LiePoisson, Se3, Se3Dual, SkewHermitian, UnitaryAlgebra,
-    Vector, from_closure,
+    Covector, DualNumber, Hamiltonian, LiePoisson, Se3, Se3Dual, SkewHermitian, State,
+    UnitaryAlgebra, Vector, from_closure,
 };
 use lie_poisson_systems::{Kirchhoff, PointVortices};
 use momentum_map::{

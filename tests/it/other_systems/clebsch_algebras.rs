@@ -2,8 +2,8 @@
 
 use lie_poisson::{
     Contragredient, Covector, DefaultLanes, Diagonal, DualNumber, InfinitesimalAdjoint, Lanes,
-    LieAlgebra, LiePoisson, Real, Representation, Sign, StructureConstants, StructureError, Vector,
-    euclidean_norm, larger, laws,
+    LieAlgebra, LiePoisson, Real, Representation, Sign, State, StructureConstants, StructureError,
+    Vector, euclidean_norm, larger, laws,
 };
 use momentum_map::{
     ClebschMap, Lift, PoissonMap, Side, SourcePoint, TargetPoint, clebsch_map, clebsch_realisation,

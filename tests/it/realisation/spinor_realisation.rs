@@ -2,7 +2,9 @@
 
 use collective_integrators::VectorField;
 use heavytop::{SPINOR_MOTIONS, SpinorMotions, SpinorPoint, SpinorRealisation, Varpi};
-use lie_poisson::{Covector, Hamiltonian, Pair, PoissonSpace, Vector, differential, from_closure};
+use lie_poisson::{
+    Covector, Hamiltonian, Pair, PoissonSpace, State, Vector, differential, from_closure,
+};
 use momentum_map::{
     CollectiveHamiltonian, ComposedMap, Cotangent, HOPF, HopfRealisation, MomentumMap, PoissonMap,
     SourcePoint, SymplecticSpace,

@@ -3,7 +3,7 @@
 use collective_integrators::{CHECKPOINT, Collective, Integrator, RungeKutta, Start};
 use lie_poisson::{
     Automatic, Covector, DefaultLanes, Diagonal, DualNumber, Lanes, Pair, Point, Power, SL2OnR2,
-    SO3OnR3, Se3Dual, Sum, Vector, derivative_part, map_coordinates, seed,
+    SO3OnR3, Se3Dual, State, Sum, Vector, derivative_part, map_coordinates, seed,
 };
 use momentum_map::{
     AffineAction, Cotangent, FibreSymmetry, HOPF, Lift, MomentumMap, Opposite, PARTICLE,

@@ -14,7 +14,9 @@ use collective_integrators::{
 };
 use heavytop::methods::{Formulation, Method, SchemeName};
 use heavytop::{HeavyTop, Invariant, SpinorRealisation};
-use lie_poisson::{BlockScales, DualNumber, LiePoisson, Pair, Se3, Se3Dual, Vector, larger, seed};
+use lie_poisson::{
+    BlockScales, DualNumber, LiePoisson, Pair, Se3, Se3Dual, State, Vector, larger, seed,
+};
 use momentum_map::{CollectiveHamiltonian, DualQuaternions, Lift, PoissonMap};
 use nalgebra::Vector3;
 use std::error::Error;

@@ -1,7 +1,7 @@
 //! Defects of Poisson maps: how far a map is from preserving brackets, with exact derivatives.
 
 use lie_poisson::{
-    DualNumber, Point, PoissonSpace, Vector, derivative_part, larger, map_coordinates, seed,
+    DualNumber, Point, PoissonSpace, State, Vector, derivative_part, larger, map_coordinates, seed,
 };
 use momentum_map::{PoissonMap, SourcePoint};
 use nalgebra::DMatrix;

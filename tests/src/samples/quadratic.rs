@@ -1,7 +1,7 @@
 //! A Hamiltonian for every Poisson space.
 
 use core::marker::PhantomData;
-use lie_poisson::{Energy, Point, PoissonSpace, Real, Vector};
+use lie_poisson::{Energy, Point, PoissonSpace, Real, State, Vector};
 
 /// The Hamiltonian ½ Σ_i a_i μ_i² + b_i μ_i with a_i between 1 and 2 and small b_i.
 ///

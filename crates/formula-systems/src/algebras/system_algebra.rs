@@ -3,7 +3,7 @@
 use super::bracket_texts::entries;
 use crate::error::FormulaSystemError;
 use lie_poisson::{
-    Inherited, SO3OnR3, Se2, Se3, SemidirectAlgebra, Sl2, So3, StructureError, Su2, Vector,
+    Inherited, SO3OnR3, Se2, Se3, SemidirectAlgebra, Sl2, So3, State, StructureError, Su2, Vector,
 };
 use lie_poisson_formulas::{
     Coordinates, DimensionTask, EntryError, NameError, NamedAlgebra, Parameters, StructureEntry,

@@ -5,7 +5,9 @@ use crate::support::system;
 use collective_integrators::{AnyState, Start, laws};
 use heavytop::methods::{Formulation, Method, SchemeName};
 use lie_poisson::laws::{Faulty, NoSamples, Report, hamiltonian, lie_algebra, poisson_space};
-use lie_poisson::{Hamiltonian, LiePoisson, Momentum, PoissonSpace, StructureConstants, Vector};
+use lie_poisson::{
+    Hamiltonian, LiePoisson, Momentum, PoissonSpace, State, StructureConstants, Vector,
+};
 use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use lie_poisson_formulas::{
     Coordinates, DimensionTask, FormulaHamiltonian, Parameters, for_dimension, structure_constants,

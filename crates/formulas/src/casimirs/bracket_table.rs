@@ -2,7 +2,7 @@
 
 use super::casimir_error::CasimirError;
 use core::ops::{Add, Mul};
-use lie_poisson::{LieAlgebra, Vector};
+use lie_poisson::{LieAlgebra, State, Vector};
 
 /// A number of a table: a rounded one, or a residue modulo a prime.
 pub(crate) trait Number: Copy + Default + Add<Output = Self> + Mul<Output = Self> {

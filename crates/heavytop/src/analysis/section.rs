@@ -214,7 +214,7 @@ impl Section {
         let section = *self;
         let run = integrator.trajectory(start, step)?.take(steps.saturating_add(1));
         let value =
-            move |mu: &I::Momentum| section.value(&Se3Dual::from_coordinates(|i| mu.entry(i)));
+            move |mu: &I::Momentum| section.value(&Se3Dual::from_coordinates(|i| mu.coordinate(i)));
         let events = Events::new(integrator, run, value, self.surface.direction.along_run(step));
         Ok(match self.period() {
             Some(period) => events.modulo(period),

@@ -2,7 +2,7 @@
 
 use crate::attitude::step_rotation::{Turning, unit};
 use collective_integrators::{Integrator, Start, Step, StepError};
-use lie_poisson::{Pair, Quaternion, Real, Se3Dual, Vector, squaring_scale};
+use lie_poisson::{Pair, Quaternion, Real, Se3Dual, State, Vector, squaring_scale};
 use momentum_map::LiftError;
 use nalgebra::{Vector2, Vector3};
 

@@ -7,7 +7,7 @@ use collective_integrators::diagnostics::{
     RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,
 };
 use core::ops::Range;
-use lie_poisson::{Se3Dual, Vector};
+use lie_poisson::{Se3Dual, State};
 use nalgebra::Vector3;
 
 /// Π is measured by |Π|, and Γ by |Γ|. The differential is (Ω, m g l c). The fastest rate of the motion through (Π, Γ),

@@ -1,7 +1,7 @@
 //! The states of a top with given energy and vertical angular momentum.
 
 use crate::tops::top::HeavyTop;
-use lie_poisson::{Se3Dual, Vector};
+use lie_poisson::{Se3Dual, State};
 use nalgebra::Vector3;
 
 /// The level set h = E, Π·Γ = c, |Γ| = 1 of a top in se(3)∗, of dimension 3.
@@ -86,7 +86,7 @@ impl EnergyLevel {
         }
         let states =
             [square.sqrt(), -square.sqrt()].map(|beta| Se3Dual::new(pi + along * beta, *gamma));
-        states.iter().all(Vector::is_finite).then_some(states)
+        states.iter().all(State::is_finite).then_some(states)
     }
 
     /// Returns the amended potential U_c(Γ), J: the least energy over Γ on Π·Γ = c.

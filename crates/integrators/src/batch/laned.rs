@@ -8,7 +8,7 @@ use crate::integrators::lanes::fastest_set::FastestSet;
 use crate::integrators::trajectories::integrator::Integrator;
 use core::ops::Range;
 use lie_poisson::{
-    DefaultLanes, InstructionSet, Lanes, MissingInstructions, StorageOver, TaskOver,
+    DefaultLanes, InstructionSet, Lanes, MissingInstructions, State, StorageOver, TaskOver,
     UnfusedStorage, UnfusedTask, UnfusedWorkspace, Vector, dispatch_unfused,
 };
 

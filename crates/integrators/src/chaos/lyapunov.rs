@@ -94,7 +94,7 @@ where
     pub fn new(integrator: &'a I, state: <I as Integrator>::State, step: f64) -> Self {
         let tangents = core::array::from_fn(|i| {
             let mut basis = state.zeros_like();
-            basis.set_entry(i, 1.0);
+            basis.set_coordinate(i, 1.0);
             basis
         });
         Self::from_flow(VariationalFlow::new(integrator, state, tangents, step))

@@ -46,7 +46,7 @@ pub(super) fn orthonormalise<V: State<Scalar = f64>>(
 
 /// Returns the Euclidean product Σ u_i v_i of coordinates.
 fn dot<V: State<Scalar = f64>>(u: &V, v: &V) -> f64 {
-    (0..u.dimension()).map(|i| u.entry(i) * v.entry(i)).sum()
+    (0..u.dimension()).map(|i| u.coordinate(i) * v.coordinate(i)).sum()
 }
 
 #[cfg(test)]

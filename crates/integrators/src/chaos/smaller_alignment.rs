@@ -50,7 +50,7 @@ use lie_poisson::State;
 #[must_use]
 pub fn smaller_alignment_index<V: State<Scalar = f64>>([v, w]: &[V; 2]) -> f64 {
     let norm = |sign: f64| {
-        let square = |i| (v.entry(i) + sign * w.entry(i)).powi(2);
+        let square = |i| (v.coordinate(i) + sign * w.coordinate(i)).powi(2);
         (0..v.dimension()).map(square).sum::<f64>().sqrt()
     };
     let (sum, difference) = (norm(1.0), norm(-1.0));

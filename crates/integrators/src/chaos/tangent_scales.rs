@@ -30,7 +30,7 @@ impl<S: State<Scalar = f64>, M: State> TangentScales<S, M> {
         if vectors.first().is_some_and(|v| v.blocks() > 1) {
             for (v, spare) in vectors.iter_mut().zip(spare) {
                 spare.assign(v);
-                v.set_entries(|i| self.state.entry(spare, i));
+                v.set_coordinates(|i| self.state.coordinate(spare, i));
             }
         }
     }
@@ -41,7 +41,7 @@ impl<S: State<Scalar = f64>, M: State> TangentScales<S, M> {
         if vectors.first().is_some_and(|v| v.blocks() > 1) {
             for (v, spare) in vectors.iter_mut().zip(spare) {
                 spare.assign(v);
-                v.set_entries(|i| spare.entry(i) * self.state.at(spare.block_of(i)));
+                v.set_coordinates(|i| spare.coordinate(i) * self.state.at(spare.block(i)));
             }
         }
     }
@@ -115,7 +115,8 @@ impl<I: TangentIntegrator> Prober<'_, I> {
             let size = if sizes.at(b) > 0.0 { sizes.at(b) } else { 1.0 };
             set_probe(&mut probe, b, number, size);
             let length = BlockScales::of(&probe).at(b);
-            self.dual.set_entries(|i| DualNumber::new(state.entry(i), probe.entry(i)));
+            self.dual
+                .set_coordinates(|i| DualNumber::new(state.coordinate(i), probe.coordinate(i)));
             let made = Integrator::<DualNumber>::step_in_place(
                 self.integrator,
                 self.dual,
@@ -124,7 +125,7 @@ impl<I: TangentIntegrator> Prober<'_, I> {
             );
             Integrator::<DualNumber>::forget(self.integrator, self.dual_workspace);
             made?;
-            change.set_entries(|i| self.dual.entry(i).derivative() - probe.entry(i));
+            change.set_coordinates(|i| self.dual.coordinate(i).derivative() - probe.coordinate(i));
             let sizes = BlockScales::of(&change);
             for a in 0..state.blocks() {
                 couplings.include(a, b, sizes.at(a) / length);
@@ -145,9 +146,11 @@ impl<I: TangentIntegrator> Prober<'_, I> {
             set_probe(&mut probe, b, number, 1.0);
             let length = BlockScales::of(&probe).at(b);
             let unit = scales.state.at(b) / length;
-            self.dual.set_entries(|i| DualNumber::new(state.entry(i), probe.entry(i) * unit));
+            self.dual.set_coordinates(|i| {
+                DualNumber::new(state.coordinate(i), probe.coordinate(i) * unit)
+            });
             let moved = Integrator::<DualNumber>::momentum(self.integrator, self.dual);
-            image.set_entries(|i| moved.entry(i).derivative());
+            image.set_coordinates(|i| moved.coordinate(i).derivative());
             scales.momentum.include(&image);
         }
         for block in 0..image.blocks() {
@@ -167,9 +170,9 @@ fn probes(blocks: usize) -> impl Iterator<Item = (usize, usize)> {
 fn set_probe<V: State<Scalar = f64>>(probe: &mut V, block: usize, number: usize, size: f64) {
     let dimension = probe.dimension();
     for i in 0..dimension {
-        let inside = probe.block_of(i) == block;
+        let inside = probe.block(i) == block;
         let coordinate = generic_coordinate(number % dimension.max(1), dimension, i);
-        probe.set_entry(i, if inside { coordinate * size } else { 0.0 });
+        probe.set_coordinate(i, if inside { coordinate * size } else { 0.0 });
     }
 }
 

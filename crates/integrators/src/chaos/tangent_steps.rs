@@ -19,9 +19,9 @@ pub(super) fn step_tangents<I: TangentIntegrator>(
     for (v, next) in tangents.iter().zip(spare) {
         // The steps are solved to the round-off of the larger of the value and the derivative: they are of one size.
         let factor = power_of_two_near(units.norm(v).recip());
-        dual.set_entries(|i| DualNumber::new(state.entry(i), v.entry(i) * factor));
+        dual.set_coordinates(|i| DualNumber::new(state.coordinate(i), v.coordinate(i) * factor));
         Integrator::<DualNumber>::step_in_place(integrator, dual, size, workspace)?;
-        next.set_entries(|i| dual.entry(i).derivative() / factor);
+        next.set_coordinates(|i| dual.coordinate(i).derivative() / factor);
     }
     Ok(())
 }
@@ -65,10 +65,10 @@ pub(super) fn image<I: TangentIntegrator>(
     scales: &TangentScales<StateOf<I>, MomentumOf<I>>,
     like: &MomentumOf<I>,
 ) -> MomentumOf<I> {
-    dual.set_entries(|i| DualNumber::new(z.entry(i), v.entry(i)));
+    dual.set_coordinates(|i| DualNumber::new(z.coordinate(i), v.coordinate(i)));
     let moved = Integrator::<DualNumber>::momentum(integrator, dual);
     let mut image = like.clone();
-    image.set_entries(|i| moved.entry(i).derivative() / scales.momentum.at(like.block_of(i)));
+    image.set_coordinates(|i| moved.coordinate(i).derivative() / scales.momentum.at(like.block(i)));
     image
 }
 

@@ -126,7 +126,7 @@ where
         let tangents = core::array::from_fn(|_| state.zeros_like());
         let mut flow = Self::new(integrator, state, tangents, step);
         for (number, v) in flow.tangents.iter_mut().enumerate() {
-            v.set_entries(|i| generic_coordinate(number, dimension, i));
+            v.set_coordinates(|i| generic_coordinate(number, dimension, i));
         }
         if let Ok(units) = &flow.scales {
             units.multiply(&mut flow.tangents, &mut flow.spare);

@@ -3,7 +3,7 @@
 use crate::error::StepError;
 use crate::schemes::scheme::Scheme;
 use lie_poisson::{
-    BlockScales, DualNumber, Hamiltonian, Mask, Real, Vector, derivative_part, larger,
+    BlockScales, DualNumber, Hamiltonian, Mask, Real, State, Vector, derivative_part, larger,
     map_coordinates, seed,
 };
 use momentum_map::{CollectiveHamiltonian, FibreSymmetry, PoissonMap, SourcePoint, TargetPoint};

@@ -3,7 +3,7 @@
 use super::tangent::linearised;
 use crate::natural_scales::natural_scales;
 use core::convert::Infallible;
-use lie_poisson::{BlockScales, DualNumber, Point, PoissonSpace, Vector, larger};
+use lie_poisson::{BlockScales, DualNumber, Point, PoissonSpace, State, Vector, larger};
 use momentum_map::SymplecticSpace;
 use nalgebra::DMatrix;
 
@@ -56,7 +56,7 @@ pub(super) fn form_change<P: SymplecticSpace>(
         space.symplectic_form::<f64>(&Vector::basis(i), &Vector::basis(j))
     });
     let scales = scales_of(points, tangent);
-    let at = |i: usize| scales.at(Point::<P>::block(i));
+    let at = |i: usize| scales.at(points[0].block(i));
     // Vectors of the size of the scales have forms of this size.
     let in_scales = |i, j, entry: f64| entry * at(i) * at(j);
     let change = largest(&(tangent.transpose() * &form * tangent - &form), in_scales);
@@ -111,7 +111,7 @@ pub(super) fn bracket_change<P: PoissonSpace>(
 ) -> f64 {
     let [before, after] = points.map(|z| space.poisson_tensor::<f64>(z));
     let scales = scales_of(points, tangent);
-    let at = |i: usize| scales.at(Point::<P>::block(i));
+    let at = |i: usize| scales.at(points[0].block(i));
     let in_scales = |i, j, entry: f64| entry / at(i) / at(j);
     let size = larger(largest(&before, in_scales), largest(&after, in_scales));
     let change = tangent * before * tangent.transpose() - after;
@@ -127,7 +127,7 @@ fn scales_of<V: Vector<Scalar = f64>>(
     sizes.include(image);
     natural_scales(V::BLOCKS, &sizes, |a, b| {
         let change = |i: usize, j: usize| tangent[(i, j)] - if i == j { 1.0 } else { 0.0 };
-        let of = |block| (0..V::DIM).filter(move |&i| V::block(i) == block);
+        let of = |block| (0..V::DIM).filter(move |&i| z.block(i) == block);
         let entries = of(a).flat_map(|i| of(b).map(move |j| (i, j)));
         entries.fold(0.0, |size: f64, (i, j)| size.hypot(change(i, j)))
     })

@@ -20,7 +20,7 @@ const MOST_BLOCKS: usize = 4;
 /// use nalgebra::{Vector1, Vector2};
 /// let z = AnyState::of(&Pair(Vector1::new(1.0), Vector2::new(2.0, 3.0)));
 /// assert_eq!(z.as_slice(), [1.0, 2.0, 3.0]);
-/// assert_eq!([0, 1, 2].map(|i| z.block_of(i)), [0, 1, 1]);
+/// assert_eq!([0, 1, 2].map(|i| z.block(i)), [0, 1, 1]);
 /// ```
 #[derive(Debug, PartialEq)]
 pub struct AnyState<T = f64> {
@@ -40,7 +40,7 @@ impl BlockEnds {
         // The last end stays the dimension.
         let [before_last @ .., _] = &mut ends;
         for i in (0..dimension).rev() {
-            let before = v.block_of(i).checked_sub(1);
+            let before = v.block(i).checked_sub(1);
             if let Some(end) = before.and_then(|before| before_last.get_mut(before)) {
                 *end = i;
             }
@@ -68,7 +68,7 @@ impl<T: Real> AnyState<T> {
     pub(super) fn copy_entries<V: State<Scalar = T>>(&mut self, v: &V) {
         let copy = |values: &mut [T]| {
             for (i, value) in (0..v.dimension()).zip(values) {
-                *value = v.entry(i);
+                *value = v.coordinate(i);
             }
         };
         let values = self.as_mut_slice();
@@ -131,21 +131,21 @@ impl<T: Real> State for AnyState<T> {
         pool.push(self);
     }
 
-    fn entry(&self, i: usize) -> T {
+    fn coordinate(&self, i: usize) -> T {
         self.values.get(i).copied().unwrap_or_else(T::zero)
     }
 
-    fn set_entry(&mut self, i: usize, x: T) {
+    fn set_coordinate(&mut self, i: usize, x: T) {
         if let Some(value) = self.values.get_mut(i) {
             *value = x;
         }
     }
 
     fn blocks(&self) -> usize {
-        self.dimension().checked_sub(1).map_or(1, |last| self.block_of(last) + 1)
+        self.dimension().checked_sub(1).map_or(1, |last| self.block(last) + 1)
     }
 
-    fn block_of(&self, i: usize) -> usize {
+    fn block(&self, i: usize) -> usize {
         let BlockEnds([first, second, third, _]) = self.blocks;
         usize::from(i >= first) + usize::from(i >= second) + usize::from(i >= third)
     }

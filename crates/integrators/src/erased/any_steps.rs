@@ -113,8 +113,8 @@ impl<I, S> Erased<I, S> {
         let values = state.as_slice();
         // The compiler knows the number of coordinates in the first case.
         match values.get(..typed.dimension()) {
-            Some(all) => typed.set_entries(|i| all.get(i).copied().unwrap_or_else(T::zero)),
-            None => typed.set_entries(|i| values.get(i).copied().unwrap_or_else(T::zero)),
+            Some(all) => typed.set_coordinates(|i| all.get(i).copied().unwrap_or_else(T::zero)),
+            None => typed.set_coordinates(|i| values.get(i).copied().unwrap_or_else(T::zero)),
         }
         typed
     }
@@ -218,7 +218,7 @@ where
     S: Send + Sync,
 {
     fn start(&self, mu: &AnyState) -> Result<AnyState, LiftError> {
-        let typed = Vector::from_coordinates(|i| mu.entry(i));
+        let typed = Vector::from_coordinates(|i| mu.coordinate(i));
         Ok(AnyState::of(&self.integrator.start(&typed)?))
     }
 

@@ -210,7 +210,7 @@ impl<I: Increments<T>, T: Real> Integrator<T> for Compensated<I> {
         add_compensated((&mut z, &mut e), (&change, &error), pool);
         let mut end = self.0.gauged(Pair(z, e), workspace);
         let pool = self.0.temporaries(workspace).unwrap_or(&mut none);
-        let finite = end.all_finite();
+        let finite = end.is_finite();
         if finite {
             state.move_from(&mut end);
         }

@@ -1,6 +1,6 @@
 //! The check that a state and its momentum are finite.
 
-use lie_poisson::{Mask, Real, Vector};
+use lie_poisson::{Mask, Real, State, Vector};
 use momentum_map::{PoissonMap, SourcePoint};
 
 /// A size of a state below which its momentum is finite: products of three coordinates do not overflow.

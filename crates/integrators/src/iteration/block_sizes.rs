@@ -92,7 +92,7 @@ impl<V: State> BlockSizes<V> {
 
     /// Adds other sizes, multiplied by a factor.
     #[cfg_attr(optimised, inline(always))]
-    pub(crate) fn add_scaled(&mut self, factor: V::Scalar, other: &Self) {
+    pub(crate) fn add_multiple(&mut self, factor: V::Scalar, other: &Self) {
         for block in 0..V::BLOCKS {
             self.most.set(block, self.at(block) + factor * other.at(block));
         }
@@ -219,9 +219,9 @@ mod tests {
         type Two = Pair<Vector1<f64>, Vector2<f64>>;
         let sizes = |x, y, z| BlockSizes::of(&[Pair(Vector1::new(x), Vector2::new(y, z)) as Two]);
         let mut sum = sizes(-1.0, 3.0, -4.0);
-        sum.add_scaled(0.5, &sizes(8.0, 2.0, -1.0));
+        sum.add_multiple(0.5, &sizes(8.0, 2.0, -1.0));
         assert_eq!((sum.at(0), sum.at(1), sum.sum()), (5.0, 5.0, 13.5));
-        sum.add_scaled(1.0, &sizes(0.0, f64::NAN, 0.0));
+        sum.add_multiple(1.0, &sizes(0.0, f64::NAN, 0.0));
         assert!(sum.sum().is_nan() && sum.largest().is_nan());
     }
 }

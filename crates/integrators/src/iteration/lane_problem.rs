@@ -73,7 +73,7 @@ impl<V: State> LaneProblem<'_, V> {
         for i in 0..WIDTH {
             let k = &self.k[i.min(last)];
             for c in 0..dimension {
-                self.rows.k[c].0[i] = number(k.entry(c));
+                self.rows.k[c].0[i] = number(k.coordinate(c));
             }
         }
     }
@@ -82,7 +82,7 @@ impl<V: State> LaneProblem<'_, V> {
     #[cfg_attr(optimised, inline(always))]
     fn read_rows(&mut self) {
         for (i, k) in self.k.iter_mut().enumerate() {
-            k.set_entries(
+            k.set_coordinates(
                 #[cfg_attr(optimised, inline(always))]
                 |c| V::Scalar::from_f64(self.rows.k[c].0[i]),
             );
@@ -121,7 +121,7 @@ impl<V: State> Sweep<'_, V> {
             |c| {
                 let small = small[c].load(block);
                 let sum = combination::<T, S>(&self.columns.whole, &k[c], small, block);
-                sum * h + T::from_f64(number(self.z.entry(c)))
+                sum * h + T::from_f64(number(self.z.coordinate(c)))
             },
         );
         let value = field(&point);
@@ -174,7 +174,7 @@ fn largest_lanes<T: Lanes, W: Vector<Scalar = T>, V: State>(
 #[cfg(test)]
 mod tests {
     use super::{BlockSizes, largest_lanes};
-    use lie_poisson::{DefaultLanes, Lanes, Pair, Vector};
+    use lie_poisson::{DefaultLanes, Lanes, Pair, State, Vector};
     use nalgebra::{Vector1, Vector2};
 
     type Point<T> = Pair<Vector1<T>, Vector2<T>>;

@@ -10,7 +10,7 @@ use lie_poisson::{Real, State, larger};
 /// A NaN differs from every number and from NaN, so that two failures do not count as agreement.
 pub(super) fn different_bits<V: State<Scalar = f64>>(a: &V, b: &V) -> f64 {
     let differ = |a: f64, b: f64| a.is_nan() || a.to_bits() != b.to_bits();
-    (0..a.dimension()).filter(|&i| differ(a.entry(i), b.entry(i))).count() as f64
+    (0..a.dimension()).filter(|&i| differ(a.coordinate(i), b.coordinate(i))).count() as f64
 }
 
 /// Returns 1 for a law that does not hold, and 0 for one that does.
@@ -21,7 +21,7 @@ pub(super) fn broken_unless(holds: bool) -> f64 {
 /// Returns the point of the space of `like` with all its coordinates equal.
 pub(super) fn constant<V: State>(like: &V, x: f64) -> V {
     let mut point = like.zeros_like();
-    point.set_entries(|_| Real::from_f64(x));
+    point.set_coordinates(|_| Real::from_f64(x));
     point
 }
 
@@ -32,7 +32,7 @@ pub(super) fn point_or_nan<V: State>(step: Result<Step<V>, StepError>, like: &V)
 
 /// Returns the largest magnitude of a coordinate, or NaN.
 pub(super) fn largest<V: State<Scalar = f64>>(point: &V) -> f64 {
-    (0..point.dimension()).map(|i| point.entry(i).abs()).fold(0.0, larger)
+    (0..point.dimension()).map(|i| point.coordinate(i).abs()).fold(0.0, larger)
 }
 
 /// Returns the largest magnitude of a coordinate of a − b, or NaN.
@@ -47,7 +47,7 @@ pub(super) fn not_finite<V: State<Scalar = f64>>(point: &V) -> impl Iterator<Ite
     let bad = move |i| {
         NOT_FINITE.map(|x| {
             let mut bad = point.clone();
-            bad.set_entry(i, x);
+            bad.set_coordinate(i, x);
             bad
         })
     };

@@ -4,12 +4,12 @@ use super::differences::point_or_nan;
 use super::{GenericSystem, Report};
 use crate::schemes::scheme::Equivariant;
 use crate::vector_field::{VectorField, from_fn};
-use lie_poisson::Vector;
+use lie_poisson::{State, Vector};
 use momentum_map::Cotangent;
 use nalgebra::Vector2;
 
 /// A point of the phase space of the generic system.
-type State = Cotangent<Vector2<f64>>;
+type PhasePoint = Cotangent<Vector2<f64>>;
 
 /// Evaluates the law `equivariance` of a scheme on the [`GenericSystem`].
 ///
@@ -23,8 +23,8 @@ type State = Cotangent<Vector2<f64>>;
 /// # Ok::<(), laws::BrokenLaw>(())
 /// ```
 pub fn equivariant_scheme<S: Equivariant>(scheme: &S) -> Report {
-    let (field, shift) = (GenericSystem::field(), State::basis(0) - State::basis(3));
-    let moved_field = from_fn(|w: &State| changed(&field.at(&changed_back(&(*w - shift)))));
+    let (field, shift) = (GenericSystem::field(), PhasePoint::basis(0) - PhasePoint::basis(3));
+    let moved_field = from_fn(|w: &PhasePoint| changed(&field.at(&changed_back(&(*w - shift)))));
     let mut report = Report::default();
     let (mut workspace, mut moved_workspace) = (scheme.workspace(), scheme.workspace());
     let mut z = GenericSystem::start();
@@ -48,11 +48,14 @@ const STEPS: usize = 5;
 const SHEARS: [(usize, usize, f64); 4] = [(0, 2, 0.5), (3, 0, -1.0), (2, 1, 0.75), (1, 3, 0.5)];
 
 /// Returns the image Az of a point z.
-fn changed(z: &State) -> State {
-    SHEARS.iter().fold(*z, |z, &(i, j, c)| z + State::basis(i).scaled(c * z.coordinate(j)))
+fn changed(z: &PhasePoint) -> PhasePoint {
+    SHEARS.iter().fold(*z, |z, &(i, j, c)| z + PhasePoint::basis(i).scaled(c * z.coordinate(j)))
 }
 
 /// Returns the pre-image A⁻¹w of a point w.
-fn changed_back(w: &State) -> State {
-    SHEARS.iter().rev().fold(*w, |w, &(i, j, c)| w - State::basis(i).scaled(c * w.coordinate(j)))
+fn changed_back(w: &PhasePoint) -> PhasePoint {
+    SHEARS
+        .iter()
+        .rev()
+        .fold(*w, |w, &(i, j, c)| w - PhasePoint::basis(i).scaled(c * w.coordinate(j)))
 }

@@ -61,7 +61,7 @@ fn size<V: State<Scalar = f64>>(invariant: &dyn Fn(&V) -> f64, mu: &V) -> f64 {
     let value = invariant(mu);
     let doubled = |i| {
         let mut doubled = mu.clone();
-        doubled.set_entry(i, 2.0 * mu.entry(i));
+        doubled.set_coordinate(i, 2.0 * mu.coordinate(i));
         doubled
     };
     (0..mu.dimension())

@@ -4,12 +4,12 @@ use super::differences::{NOT_FINITE, broken_unless, constant, different_bits, po
 use super::{GenericSystem, MeasuredScheme, Report};
 use crate::schemes::scheme::{Scheme, Step};
 use crate::vector_field::from_fn;
-use lie_poisson::{DefaultLanes, Lanes, Pair, Real, Vector, larger, map_coordinates};
+use lie_poisson::{DefaultLanes, Lanes, Pair, Real, State, Vector, larger, map_coordinates};
 use momentum_map::Cotangent;
 use nalgebra::Vector2;
 
 /// A point of the phase space of the generic system.
-type State<T = f64> = Cotangent<Vector2<T>>;
+type PhasePoint<T = f64> = Cotangent<Vector2<T>>;
 
 /// Evaluates the laws of a scheme on the [`GenericSystem`]:
 ///
@@ -57,18 +57,18 @@ const STEPS: usize = 12;
 /// Returns the point after [`STEPS`] steps, or NaN if one failed.
 fn steps<T: Real, S: Scheme>(
     scheme: &S,
-    z: State<T>,
-    workspace: &mut S::Workspace<State<T>>,
-) -> State<T> {
+    z: PhasePoint<T>,
+    workspace: &mut S::Workspace<PhasePoint<T>>,
+) -> PhasePoint<T> {
     counted_steps(scheme, z, workspace).0
 }
 
 /// Returns the point after [`STEPS`] steps, or NaN if one failed, and the number of iterations of each step.
 fn counted_steps<T: Real, S: Scheme>(
     scheme: &S,
-    mut z: State<T>,
-    workspace: &mut S::Workspace<State<T>>,
-) -> (State<T>, [usize; STEPS]) {
+    mut z: PhasePoint<T>,
+    workspace: &mut S::Workspace<PhasePoint<T>>,
+) -> (PhasePoint<T>, [usize; STEPS]) {
     let field = GenericSystem::field();
     let counts = core::array::from_fn(|_| {
         let made = scheme.step(&field, &z, STEP, workspace);
@@ -83,9 +83,9 @@ fn counted_steps<T: Real, S: Scheme>(
 fn broken_step<S: Scheme>(
     scheme: &S,
     bad: f64,
-    workspace: &mut S::Workspace<State>,
-) -> Option<Step<State>> {
-    let field = from_fn(|_: &State| constant(&GenericSystem::start::<f64>(), bad));
+    workspace: &mut S::Workspace<PhasePoint>,
+) -> Option<Step<PhasePoint>> {
+    let field = from_fn(|_: &PhasePoint| constant(&GenericSystem::start::<f64>(), bad));
     scheme.step(&field, &GenericSystem::start(), STEP, workspace).ok()
 }
 
@@ -106,7 +106,7 @@ fn single_steps<S: Scheme>(scheme: &S, report: &mut Report) {
 
 fn in_place<S: Scheme>(scheme: &S, report: &mut Report) {
     let (field, start) = (GenericSystem::field(), GenericSystem::start::<f64>());
-    let nan = from_fn(|_: &State| constant(&GenericSystem::start::<f64>(), f64::NAN));
+    let nan = from_fn(|_: &PhasePoint| constant(&GenericSystem::start::<f64>(), f64::NAN));
     let (mut z, workspace) = (start, &mut scheme.workspace());
     let made = (0..STEPS).all(|_| scheme.step_in_place(&field, &mut z, STEP, workspace).is_ok());
     let end = steps(scheme, start, &mut scheme.workspace());
@@ -157,11 +157,11 @@ fn forgetting<S: Scheme>(scheme: &S, report: &mut Report) {
 fn lanes<S: Scheme>(scheme: &S, report: &mut Report) {
     // Lanes of different sizes need different numbers of iterations.
     let z = |lane: usize| GenericSystem::start::<f64>().scaled(1.0 / (1 + lane) as f64);
-    let side_by_side: State<DefaultLanes> =
+    let side_by_side: PhasePoint<DefaultLanes> =
         Vector::from_coordinates(|i| DefaultLanes::from_lanes(|lane| z(lane).coordinate(i)));
     let ends = steps(scheme, side_by_side, &mut scheme.workspace());
     for lane in 0..DefaultLanes::COUNT {
-        let end: State = map_coordinates(&ends, |x: DefaultLanes| x.lane(lane));
+        let end: PhasePoint = map_coordinates(&ends, |x: DefaultLanes| x.lane(lane));
         let alone = steps(scheme, z(lane), &mut scheme.workspace());
         report.note("lanes", different_bits(&end, &alone), 1.0);
     }

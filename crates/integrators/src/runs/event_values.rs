@@ -130,9 +130,9 @@ impl<'a, I: Integrator, G: Fn(&I::Momentum) -> f64> EventValues<'a, I, G> {
         let sizes = BlockSizes::of(from_ref(mu));
         let (mut moved, mut most) = (mu.clone(), 0.0_f64);
         for pattern in 0..NEIGHBOURS {
-            moved.set_entries(|i| {
-                let change = ROUNDING * sizes.at(mu.block_of(i));
-                mu.entry(i) + change * weight(NEIGHBOURS.wrapping_mul(i as u64) + pattern)
+            moved.set_coordinates(|i| {
+                let change = ROUNDING * sizes.at(mu.block(i));
+                mu.coordinate(i) + change * weight(NEIGHBOURS.wrapping_mul(i as u64) + pattern)
             });
             // A neighbour at a pole or outside the domain of g does not count.
             let change = (self.at(&moved) - point.value).abs();

@@ -84,7 +84,7 @@ mod tests {
                 for i in 0..2 {
                     // A rounding of h a_ij k_j and one of the sum for each of the ten terms.
                     let bound = 10.0 * f64::EPSILON * start.amax();
-                    assert!((end[i] - other.entry(i)).abs() <= bound, "{end} {other:?}");
+                    assert!((end[i] - other.coordinate(i)).abs() <= bound, "{end} {other:?}");
                     // Control: the step is far above the bound.
                     assert!((end[i] - start[i]).abs() > 1e9 * bound, "{end}");
                 }

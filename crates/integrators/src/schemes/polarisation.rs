@@ -35,9 +35,9 @@ pub trait Polarisation: Copy + Debug + Default + PartialEq + Send + Sync + 'stat
     #[cfg_attr(optimised, inline(always))]
     fn splice_into<V: State>(u: &V, v: &V, z: &mut V) {
         let dimension = z.dimension();
-        z.set_entries(
+        z.set_coordinates(
             #[cfg_attr(optimised, inline(always))]
-            |i| if Self::is_position(i, dimension) { u.entry(i) } else { v.entry(i) },
+            |i| if Self::is_position(i, dimension) { u.coordinate(i) } else { v.coordinate(i) },
         );
     }
 }

@@ -50,7 +50,7 @@ impl<V: State> Step<V> {
     /// Returns [`StepError::NotFinite`] if a coordinate is infinite or not a number, in some SIMD lane of the scalar.
     #[cfg_attr(optimised, inline(always))]
     pub fn finite(self) -> Result<Self, StepError> {
-        if self.point.all_finite() { Ok(self) } else { Err(StepError::NotFinite) }
+        if self.point.is_finite() { Ok(self) } else { Err(StepError::NotFinite) }
     }
 }
 

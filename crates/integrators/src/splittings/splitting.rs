@@ -185,7 +185,7 @@ impl<T: Real, E: ExactFlows<T>, S: FlowSequence> Integrator<T> for Splitting<E, 
         let mut end = E::Point::take(pool, z);
         end.assign(z);
         self.sequence.run(&self.flows, step, &mut end, pool);
-        let finite = end.all_finite();
+        let finite = end.is_finite();
         if finite {
             z.move_from(&mut end);
         }

@@ -134,8 +134,8 @@ impl<F, P: Polarisation> TaoFlows<F, P> {
 #[inline]
 fn turn<P: Polarisation, V: State>(z: &V, sin: f64, cos: f64, turned: &mut V) {
     let dimension = z.dimension();
-    turned.set_entries(|i| {
+    turned.set_coordinates(|i| {
         let sin = if P::is_position(i, dimension) { sin } else { -sin };
-        z.entry(i) * cos + z.entry(P::conjugate(i, dimension)) * sin
+        z.coordinate(i) * cos + z.coordinate(P::conjugate(i, dimension)) * sin
     });
 }

@@ -23,7 +23,7 @@ pub(crate) struct FlatState<T> {
 impl<T: Real> FlatState<T> {
     /// Returns the coordinates of a state.
     pub(crate) fn of<V: State<Scalar = T>>(v: &V) -> Self {
-        let block = |i| v.block_of(i).min(MOST_BLOCKS - 1);
+        let block = |i| v.block(i).min(MOST_BLOCKS - 1);
         let zero = Self::zeros_of(&(0..v.dimension()).map(block).collect());
         zero.with(v)
     }
@@ -31,13 +31,13 @@ impl<T: Real> FlatState<T> {
     /// Returns the coordinates of another state of the space that this one is from.
     pub(crate) fn with<V: State<Scalar = T>>(&self, v: &V) -> Self {
         let mut flat = self.clone();
-        flat.set_entries(|i| v.entry(i));
+        flat.set_coordinates(|i| v.coordinate(i));
         flat
     }
 
     /// Writes the coordinates to a state.
     pub(crate) fn write_to<V: State<Scalar = T>>(&self, v: &mut V) {
-        v.set_entries(|i| self.entry(i));
+        v.set_coordinates(|i| self.coordinate(i));
     }
 }
 
@@ -67,11 +67,11 @@ impl<T: Real> State for FlatState<T> {
         pool.push(self);
     }
 
-    fn entry(&self, i: usize) -> T {
+    fn coordinate(&self, i: usize) -> T {
         self.values.get(i).copied().unwrap_or_else(T::zero)
     }
 
-    fn set_entry(&mut self, i: usize, x: T) {
+    fn set_coordinate(&mut self, i: usize, x: T) {
         if let Some(value) = self.values.get_mut(i) {
             *value = x;
         }
@@ -81,7 +81,7 @@ impl<T: Real> State for FlatState<T> {
         self.blocks.iter().max().map_or(1, |last| last + 1)
     }
 
-    fn block_of(&self, i: usize) -> usize {
+    fn block(&self, i: usize) -> usize {
         self.blocks.get(i).copied().unwrap_or(0)
     }
 
@@ -113,7 +113,7 @@ impl<V: State> VectorField<V::Scalar> for FlatField<'_, V> {
         let (mut point, mut rate) = (V::zeros_of(&self.space), V::zeros_of(&self.space));
         z.write_to(&mut point);
         self.field.at_into(&point, &mut rate);
-        value.set_entries(|i| rate.entry(i));
+        value.set_coordinates(|i| rate.coordinate(i));
     }
 
     fn derivative(
@@ -144,7 +144,7 @@ mod tests {
         let z = Sites::new(vec![site(1.0), site(10.0)]);
         let flat = FlatState::of(&z);
         assert_eq!(flat.values, [1.0, 2.0, 3.0, 10.0, 11.0, 12.0]);
-        assert_eq!((0..6).map(|i| flat.block_of(i)).collect::<Vec<_>>(), [0, 1, 1, 0, 1, 1]);
+        assert_eq!((0..6).map(|i| flat.block(i)).collect::<Vec<_>>(), [0, 1, 1, 0, 1, 1]);
         let other = Sites::new(vec![site(-3.0), site(0.5)]);
         let mut written = z.zeros_like();
         flat.with(&other).write_to(&mut written);
@@ -155,10 +155,7 @@ mod tests {
     fn blocks_after_the_seventh_count_as_one() {
         type Four = Pair<Pair<Vector1<f64>, Vector1<f64>>, Pair<Vector1<f64>, Vector1<f64>>>;
         let flat = FlatState::of(&Pair::<Four, Pair<Four, Vector1<f64>>>::zero());
-        assert_eq!(
-            (0..9).map(|i| flat.block_of(i)).collect::<Vec<_>>(),
-            [0, 1, 2, 3, 4, 5, 6, 7, 7]
-        );
+        assert_eq!((0..9).map(|i| flat.block(i)).collect::<Vec<_>>(), [0, 1, 2, 3, 4, 5, 6, 7, 7]);
     }
 
     #[test]

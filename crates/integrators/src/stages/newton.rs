@@ -58,7 +58,7 @@ pub(crate) fn newton_step<V: State>(
     let regular = solve_linear(&mut space.matrix, &mut space.residual);
     for (stage, part) in k.iter_mut().zip(space.residual.chunks_exact(z.dimension().max(1))) {
         let mut correction = units.clone();
-        correction.set_entries(|d| part[d] * units.entry(d));
+        correction.set_coordinates(|d| part[d] * units.coordinate(d));
         progress.change.include(&correction);
         correction.subtract_from(stage);
         stage.replace_where(done.not(), &correction);
@@ -96,19 +96,19 @@ fn assemble<V: State>(
         field.at_into(&point, &mut value);
         let mut residual = k[i].clone();
         residual.subtract_in_place(&value);
-        let in_units = |d| residual.entry(d) / units.entry(d);
+        let in_units = |d| residual.coordinate(d) / units.coordinate(d);
         space.residual.extend((0..dimension).map(in_units));
         let mut terms = BlockSizes::of(core::slice::from_ref(&value));
         for column in 0..dimension {
-            let unit = units.entry(column);
+            let unit = units.coordinate(column);
             let slope = derivative(field, &point, &value, column, unit);
             let slopes = BlockSizes::of(core::slice::from_ref(&slope));
-            terms.add_scaled(point.entry(column).magnitude(), &slopes);
+            terms.add_multiple(point.coordinate(column).magnitude(), &slopes);
             for (j, &a) in row.iter().enumerate() {
                 for d in 0..dimension {
                     let at = (i * dimension + d) * size + j * dimension + column;
-                    let entry = slope.entry(d) * (-step * a);
-                    space.matrix[at] = entry * (unit / units.entry(d));
+                    let entry = slope.coordinate(d) * (-step * a);
+                    space.matrix[at] = entry * (unit / units.coordinate(d));
                 }
             }
         }
@@ -130,8 +130,8 @@ fn units<T: Real, V: State<Scalar = T>>(z: &V, step: f64, k: &[V]) -> V {
     let size = |b: usize| start.at(b).larger(stages.at(b) * step.abs());
     let largest = (1..V::BLOCKS).fold(size(0), |largest, b| size(b).larger(largest));
     let mut units = z.zeros_like();
-    units.set_entries(|i| {
-        let unit = size(z.block_of(i)).larger(largest * SMALLEST_UNIT);
+    units.set_coordinates(|i| {
+        let unit = size(z.block(i)).larger(largest * SMALLEST_UNIT);
         T::select(unit.at_most(T::zero()), T::one(), unit)
     });
     units
@@ -143,7 +143,7 @@ fn units<T: Real, V: State<Scalar = T>>(z: &V, step: f64, k: &[V]) -> V {
 /// slowly, to the same stages.
 fn derivative<V: State>(field: &FieldOn<'_, V>, z: &V, value: &V, i: usize, unit: V::Scalar) -> V {
     let mut v = z.zeros_like();
-    v.set_entry(i, V::Scalar::from_f64(1.0));
+    v.set_coordinate(i, V::Scalar::from_f64(1.0));
     field.derivative(z, &v).unwrap_or_else(|| {
         let width = unit * f64::EPSILON.sqrt();
         let mut moved = z.clone();

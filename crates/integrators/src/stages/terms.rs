@@ -40,7 +40,7 @@ pub(crate) fn terms<V: State>(field: &FieldOn<'_, V>, (z, step): (&V, f64), rate
     for _ in 0..CHAIN {
         // No two coordinates change alike, so that no symmetry keeps sums that cancel.
         let change = |i| PART * (0.5 + 0.5 * f64::fract(GOLDEN_RATIO * i as f64));
-        moved.set_entries(|i| z.entry(i) + moves.at(z.block_of(i)) * change(i));
+        moved.set_coordinates(|i| z.coordinate(i) + moves.at(z.block(i)) * change(i));
         field.at_into(&moved, &mut value);
         let mut response = BlockSizes::zero();
         response.include_difference(&value, rate);
@@ -48,9 +48,9 @@ pub(crate) fn terms<V: State>(field: &FieldOn<'_, V>, (z, step): (&V, f64), rate
         // The state may be at the edge of the domain of X.
         let finite = is_finite(response.largest());
         let response = BlockSizes::select(finite, &response, &terms);
-        terms.add_scaled(V::Scalar::from_f64(1.0 / PART), &response);
+        terms.add_multiple(V::Scalar::from_f64(1.0 / PART), &response);
         moves = start.clone();
-        moves.add_scaled(V::Scalar::from_f64(step.abs()), &terms);
+        moves.add_multiple(V::Scalar::from_f64(step.abs()), &terms);
         of_point.get_or_insert_with(|| terms.clone());
     }
     Terms { of_point: of_point.unwrap_or_else(|| terms.clone()), of_step: terms }

@@ -51,7 +51,7 @@ impl Products {
         let halvings = halvings(radius);
         if halvings > MOST_HALVINGS {
             // After so many rounding errors no digit of the angles is left.
-            z.set_entries(|_| f64::NAN);
+            z.set_coordinates(|_| f64::NAN);
             return powers.into_iter().chain([scaled]).for_each(|temporary| self.give(temporary));
         }
         if halvings > 0 {

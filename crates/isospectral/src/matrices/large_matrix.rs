@@ -147,11 +147,11 @@ impl State for LargeMatrix {
         self.entries.clone_from(&x.entries);
     }
 
-    fn entry(&self, i: usize) -> f64 {
+    fn coordinate(&self, i: usize) -> f64 {
         self.entries.get(i).copied().unwrap_or(0.0)
     }
 
-    fn set_entry(&mut self, i: usize, x: f64) {
+    fn set_coordinate(&mut self, i: usize, x: f64) {
         if let Some(entry) = self.entries.get_mut(i) {
             *entry = x;
         }

@@ -179,13 +179,13 @@ impl State for LargeSkewHermitian {
         self.0.assign(&x.0);
     }
 
-    fn entry(&self, i: usize) -> f64 {
+    fn coordinate(&self, i: usize) -> f64 {
         let (j, k) = self.place(i);
         let entry = self.at(j, k);
         if j > k { entry.re } else { entry.im }
     }
 
-    fn set_entry(&mut self, i: usize, x: f64) {
+    fn set_coordinate(&mut self, i: usize, x: f64) {
         let (j, k) = self.place(i);
         let old = self.at(j, k);
         let new = if j > k { Complex::new(x, old.im) } else { Complex::new(old.re, x) };

@@ -77,7 +77,7 @@ fn conjugate(
     next: &mut LargeSkewHermitian,
 ) -> Result<(), StepError> {
     products.conjugate(z, w, next);
-    if !next.all_finite() {
+    if !next.is_finite() {
         return Err(StepError::NotFinite);
     }
     w.move_from(next);

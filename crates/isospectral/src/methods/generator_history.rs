@@ -103,7 +103,7 @@ mod tests {
         let mut history = GeneratorHistory::new(&nodes, steps);
         let matrix = |x: f64| {
             let mut matrix = LargeSkewHermitian::zeros(2);
-            matrix.set_entries(|i| x * (1.0 + i as f64));
+            matrix.set_coordinates(|i| x * (1.0 + i as f64));
             matrix
         };
         let value = |t: f64, degree: i32| 1.0 + 0.5 * t + (0.1 * t).powi(degree);
@@ -117,7 +117,7 @@ mod tests {
                 history.remember(&at(step, degree), 1.0, &end(step + 1));
                 assert!(history.predict(&end(step + 1), 1.0, &mut predicted));
                 for (found, expected) in predicted.iter().zip(at(step + 1, degree)) {
-                    let error = (found.entry(0) - expected.entry(0)).abs();
+                    let error = (found.coordinate(0) - expected.coordinate(0)).abs();
                     if step >= 2 {
                         // The weights of the extrapolation add up to a few hundred.
                         assert_eq!(error < 1e-12, exact, "{degree} {step} {error:e}");

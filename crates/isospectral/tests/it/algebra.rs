@@ -19,7 +19,7 @@ fn bracket(v: &Large, w: &Large) -> Large {
 
 /// Returns the largest magnitude of a coordinate of a sum of matrices with factors.
 fn largest(terms: &[(f64, &Large)]) -> f64 {
-    let coordinate = |i| terms.iter().map(|(a, w)| a * w.entry(i)).sum::<f64>().abs();
+    let coordinate = |i| terms.iter().map(|(a, w)| a * w.coordinate(i)).sum::<f64>().abs();
     (0..terms[0].1.dimension()).map(coordinate).fold(0.0, larger)
 }
 
@@ -116,20 +116,20 @@ fn conjugations_are_automorphisms_and_orthogonal() {
 /// Compares the bracket with that of the algebra whose size the compiler knows.
 fn same_as_small<const N: usize>() {
     let [v, w, _] = three(N);
-    let small = |w: &Large| SkewHermitian::<f64, N>::from_coordinates(|i| w.entry(i));
+    let small = |w: &Large| SkewHermitian::<f64, N>::from_coordinates(|i| w.coordinate(i));
     let expected = UnitaryAlgebra::<N>.bracket::<f64>(&small(&v), &small(&w));
     let found = bracket(&v, &w);
     for i in 0..N * N {
-        let error = (found.entry(i) - expected.coordinate(i)).abs();
+        let error = (found.coordinate(i) - expected.coordinate(i)).abs();
         assert!(error <= round_off(N) * v.norm() * w.norm(), "{N}, {i}: {error:e}");
     }
     // ad*_ξ μ belongs to [μ, ξ] in the scalar product, in which coordinates off the diagonal count twice.
     let weight = |i: usize| if i % N == i / N { 1.0 } else { 2.0 };
-    let mu = Covector(SkewHermitian::<f64, N>::from_coordinates(|i| w.entry(i) * weight(i)));
+    let mu = Covector(SkewHermitian::<f64, N>::from_coordinates(|i| w.coordinate(i) * weight(i)));
     let rate = UnitaryAlgebra::<N>.coadjoint::<f64>(&small(&v), &mu);
     let commutator = bracket(&w, &v);
     for i in 0..N * N {
-        let error = (rate.coordinate(i) - commutator.entry(i) * weight(i)).abs();
+        let error = (rate.coordinate(i) - commutator.coordinate(i) * weight(i)).abs();
         assert!(error <= round_off(N) * v.norm() * w.norm(), "{N}, {i}: {error:e}");
     }
 }

@@ -58,5 +58,5 @@ pub fn casimirs(w: &LargeSkewHermitian) -> Vec<f64> {
 /// Returns the largest magnitude of a coordinate of the difference.
 pub fn distance(a: &LargeSkewHermitian, b: &LargeSkewHermitian) -> f64 {
     use isospectral_flows::lie_poisson::{State, larger};
-    (0..a.dimension()).map(|i| (a.entry(i) - b.entry(i)).abs()).fold(0.0, larger)
+    (0..a.dimension()).map(|i| (a.coordinate(i) - b.coordinate(i)).abs()).fold(0.0, larger)
 }

@@ -65,7 +65,7 @@ fn steps_that_do_not_converge_are_errors() {
     });
     assert!(unsolved.count() > 0);
     let mut w = generic(4, 0.5);
-    w.set_entry(3, f64::NAN);
+    w.set_coordinate(3, f64::NAN);
     assert!(magnus.step_in_place(&mut w, 0.1, &mut magnus.workspace()).is_err());
 }
 

@@ -58,13 +58,13 @@ proptest! {
     fn coordinates_are_linear_and_complete(size in 1_usize..9, seed in 0.0..1.0_f64) {
         let (v, w) = (generic(size, seed), generic(size, seed + 1.0));
         let mut copy = v.zeros_like();
-        copy.set_entries(|i| v.entry(i));
+        copy.set_coordinates(|i| v.coordinate(i));
         prop_assert_eq!(&copy, &v);
         prop_assert_eq!(v.dimension(), size * size);
         copy.add_multiple(2.0, &w);
         copy.subtract_from(&w);
         for i in 0..v.dimension() {
-            prop_assert_eq!(copy.entry(i), w.entry(i) - (v.entry(i) + 2.0 * w.entry(i)));
+            prop_assert_eq!(copy.coordinate(i), w.coordinate(i) - (v.coordinate(i) + 2.0 * w.coordinate(i)));
         }
     }
 }
@@ -138,13 +138,13 @@ fn matrices_of_different_sizes_give_nan() {
     let (a, b) = (complex(3, 0.0), complex(4, 0.0));
     let mut ab = LargeMatrix::zeros(7);
     Products::default().multiply(&a, &b, &mut ab);
-    assert!(ab.size() == 3 && !ab.all_finite());
+    assert!(ab.size() == 3 && !ab.is_finite());
     assert!(generic(3, 0.0).scalar_product(&generic(4, 0.0)).is_nan());
     assert_eq!([a.at(3, 0), a.at(0, 3)], [Complex::ZERO; 2]);
     let mut z = LargeMatrix::zeros(3);
     let infinite = diagonal(&[f64::INFINITY, 0.0, 1.0]);
     Products::default().exponential_minus_one(&infinite, &mut z);
-    assert!(!z.all_finite());
+    assert!(!z.is_finite());
 }
 
 /// What is written takes the size of what it is computed from.
@@ -180,7 +180,7 @@ fn exponentials_of_too_large_matrices_are_nan() {
     let mut z = LargeMatrix::zeros(2);
     for radius in [1e10, 1e200, f64::INFINITY, f64::NAN] {
         Products::default().exponential_minus_one(&diagonal(&[radius, 1.0]), &mut z);
-        assert!(!z.all_finite(), "{radius:e}");
+        assert!(!z.is_finite(), "{radius:e}");
     }
     Products::default().exponential_minus_one(&diagonal(&[1e8, 1.0]), &mut z);
     // Each squaring doubles the error of the angle, and adds a few roundings of its own.

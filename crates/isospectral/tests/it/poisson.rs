@@ -17,7 +17,7 @@ const DIMENSION: usize = SIZE * SIZE;
 /// Returns the basis vector with the index a, of norm 1.
 fn basis(a: usize) -> LargeSkewHermitian {
     let mut e = LargeSkewHermitian::zeros(SIZE);
-    e.set_entry(a, 1.0);
+    e.set_coordinate(a, 1.0);
     let norm = e.norm();
     e.scale_in_place(1.0 / norm);
     e

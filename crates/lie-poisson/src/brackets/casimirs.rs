@@ -10,7 +10,7 @@ use crate::groups::unitary::UnitaryAlgebra;
 use crate::representations::euclidean::{Se2, Se3};
 use crate::representations::semidirect::SemidirectAlgebra;
 use crate::representations::unitary_matrices::SU2OnC2;
-use generic_scalars::{Covector, DualNumber, Real, RealSpace, Vector, differential};
+use generic_scalars::{Covector, DualNumber, Real, RealSpace, State, Vector, differential};
 use nalgebra::SMatrix;
 use num_complex::Complex;
 

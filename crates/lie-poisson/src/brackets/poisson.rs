@@ -1,7 +1,7 @@
 //! Poisson vector spaces and the Lie–Poisson bracket: [`PoissonSpace`], [`LiePoisson`].
 
 use crate::algebras::algebra::{LieAlgebra, Momentum};
-use generic_scalars::{Differential, Point, Real, Vector, VectorSpace};
+use generic_scalars::{Differential, Point, Real, State, Vector, VectorSpace};
 use nalgebra::DMatrix;
 
 /// A vector space P with a Poisson bracket, given by its Poisson tensor Λ(z): T∗P → TP:

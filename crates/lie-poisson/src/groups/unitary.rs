@@ -2,8 +2,7 @@
 
 use crate::algebras::algebra::LieAlgebra;
 use crate::algebras::group::LieGroup;
-use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
-use generic_scalars::{Covector, Real, Vector, state_by_value};
+use generic_scalars::{Covector, Real, State, Vector, vector_operators};
 use nalgebra::SMatrix;
 use num_complex::Complex;
 
@@ -35,7 +34,68 @@ fn adjoint<T: Real, const N: usize>(a: &SMatrix<Complex<T>, N, N>) -> SMatrix<Co
     a.transpose().map(|z| z.conj())
 }
 
-state_by_value!([T: Real, const N: usize] SkewHermitian<T, N>, T, (T,));
+impl<T: Real, const N: usize> State for SkewHermitian<T, N> {
+    type Scalar = T;
+    type Blocks = (T,);
+    type Shape = ();
+    type Pool = ();
+
+    #[inline]
+    fn dimension(&self) -> usize {
+        Self::DIM
+    }
+
+    #[inline]
+    fn shape(&self) {}
+
+    #[inline]
+    fn zeros_of((): &()) -> Self {
+        Self::zero()
+    }
+
+    #[inline]
+    fn coordinate(&self, i: usize) -> T {
+        let (j, k) = (i % N.max(1), i / N.max(1));
+        self.0.get((j, k)).map_or_else(T::zero, |z| if j > k { z.re } else { z.im })
+    }
+
+    #[inline]
+    fn set_coordinate(&mut self, i: usize, x: T) {
+        *self = Self::from_coordinates(|j| if i == j { x } else { self.coordinate(j) });
+    }
+
+    #[inline]
+    fn set_coordinates(&mut self, f: impl Fn(usize) -> T) {
+        *self = Self::from_coordinates(f);
+    }
+
+    #[inline]
+    fn add_in_place(&mut self, x: &Self) {
+        self.0 += x.0;
+    }
+
+    #[inline]
+    fn subtract_in_place(&mut self, x: &Self) {
+        self.0 -= x.0;
+    }
+
+    #[inline]
+    fn negate_in_place(&mut self) {
+        self.0 = -self.0;
+    }
+
+    #[inline]
+    fn scale_in_place(&mut self, s: T) {
+        self.0.scale_in_place(s);
+    }
+
+    #[inline]
+    fn add_multiple(&mut self, s: T, x: &Self) {
+        self.0.add_multiple(s, &x.0);
+    }
+}
+
+vector_operators!([T: Real, const N: usize] SkewHermitian<T, N>);
 
 impl<T: Real, const N: usize> Vector for SkewHermitian<T, N> {
     type Dual = Covector<Self>;
@@ -49,44 +109,6 @@ impl<T: Real, const N: usize> Vector for SkewHermitian<T, N> {
             core::cmp::Ordering::Greater => Complex { re: x[(j, k)], im: x[(k, j)] },
             core::cmp::Ordering::Less => Complex { re: -x[(k, j)], im: x[(j, k)] },
         }))
-    }
-
-    #[inline]
-    fn coordinate(&self, i: usize) -> T {
-        let (j, k) = (i % N.max(1), i / N.max(1));
-        self.0.get((j, k)).map_or_else(T::zero, |z| if j > k { z.re } else { z.im })
-    }
-
-    #[inline]
-    fn scaled(&self, s: T) -> Self {
-        Self(self.0.scaled(s))
-    }
-}
-
-macro_rules! operators {
-    ($($trait:ident $method:ident $assign:ident $assign_method:ident $operator:tt),*) => {$(
-        impl<T: Real, const N: usize> $trait for SkewHermitian<T, N> {
-            type Output = Self;
-            #[inline]
-            fn $method(self, rhs: Self) -> Self {
-                Self(self.0 $operator rhs.0)
-            }
-        }
-        impl<T: Real, const N: usize> $assign for SkewHermitian<T, N> {
-            #[inline]
-            fn $assign_method(&mut self, rhs: Self) {
-                *self = *self $operator rhs;
-            }
-        }
-    )*};
-}
-operators!(Add add AddAssign add_assign +, Sub sub SubAssign sub_assign -);
-
-impl<T: Real, const N: usize> Neg for SkewHermitian<T, N> {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self(-self.0)
     }
 }
 

@@ -78,7 +78,10 @@ impl<'a, S> Faulty<'a, S> {
             && wrong == method
             && coordinate < result.dimension()
         {
-            result.set_entry(coordinate, result.entry(coordinate) * V::Scalar::from_f64(0.5));
+            result.set_coordinate(
+                coordinate,
+                result.coordinate(coordinate) * V::Scalar::from_f64(0.5),
+            );
         }
     }
 

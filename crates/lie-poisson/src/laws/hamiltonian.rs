@@ -151,7 +151,7 @@ where
         let value: f64 = hamiltonian.value(&more);
         if value.is_nan() {
             let dh = written(hamiltonian, &more, 0.0);
-            let numbers = (0..dh.dimension()).filter(|&i| !dh.entry(i).is_nan()).count();
+            let numbers = (0..dh.dimension()).filter(|&i| !dh.coordinate(i).is_nan()).count();
             report.note(law, numbers as f64, 1.0);
         } else {
             differential_of_sites::<A, H>(hamiltonian, &more, law, &mut report);
@@ -167,7 +167,7 @@ fn written<V: Vector>(
     before: V::Scalar,
 ) -> Sites<V> {
     let mut dh = mu.0.zeros_like();
-    dh.set_entries(|_| before);
+    dh.set_coordinates(|_| before);
     hamiltonian.differential_into(mu, &mut dh);
     dh
 }
@@ -183,14 +183,15 @@ fn differential_of_sites<A, H>(
 {
     let slope = |i: usize| {
         let mut seeded = Momenta::<A, DualNumber>::zeros_of(&mu.shape());
-        seeded.set_entries(|j| DualNumber::new(mu.entry(j), if i == j { 1.0 } else { 0.0 }));
+        seeded
+            .set_coordinates(|j| DualNumber::new(mu.coordinate(j), if i == j { 1.0 } else { 0.0 }));
         hamiltonian.value(&seeded).derivative()
     };
     let exact: Vec<f64> = (0..mu.dimension()).map(slope).collect();
     let size = exact.iter().fold(SMALLEST, |size, x| larger(size, x.abs()));
     for before in [0.0, f64::NAN] {
         let dh = written(hamiltonian, mu, before);
-        let errors = exact.iter().enumerate().map(|(i, x)| (dh.entry(i) - x).abs());
+        let errors = exact.iter().enumerate().map(|(i, x)| (dh.coordinate(i) - x).abs());
         report.note(law, errors.fold(0.0, larger), size);
     }
 }

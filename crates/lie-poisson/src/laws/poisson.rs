@@ -101,7 +101,7 @@ fn rank<V: Vector<Scalar = f64>>(vectors: impl Iterator<Item = V>) -> usize {
         let mut rest = unit(v);
         // The second pass removes the rounding errors of the first one.
         for e in basis.iter().chain(&basis) {
-            rest.add_scaled(-dot(e, &rest), e);
+            rest.add_multiple(-dot(e, &rest), e);
         }
         // The comparison is false for NaN, which the vector 0 gives.
         if dot(&rest, &rest) > ROUND_OFF * ROUND_OFF {

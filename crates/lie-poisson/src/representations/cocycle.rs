@@ -2,7 +2,7 @@
 
 use crate::algebras::algebra::{LieAlgebra, Momentum};
 use crate::representations::representation::{Representation, RepresentedElement};
-use generic_scalars::{Covector, Real, Vector, larger, squaring_scale};
+use generic_scalars::{Covector, Real, State, Vector, larger, squaring_scale};
 use nalgebra::{DMatrix, DVector, Vector1};
 use std::sync::Arc;
 use thiserror::Error;

@@ -70,7 +70,7 @@ impl<T: Real> SitesHamiltonian<Vector3<T>> for Body {
 
     fn differential_into(&self, mu: &Covector<Sites<Vector3<T>>>, dh: &mut Sites<Vector3<T>>) {
         if mu.0.len() != 4 {
-            return dh.set_entries(|_| T::from_f64(f64::NAN));
+            return dh.set_coordinates(|_| T::from_f64(f64::NAN));
         }
         for (dh, pi) in dh.iter_mut().zip(mu.0.iter()) {
             let before = if *self == Self::StaleStorage { *dh } else { Vector3::zeros() };

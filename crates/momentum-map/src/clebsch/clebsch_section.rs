@@ -9,8 +9,8 @@ use crate::maps::recentring::{Both, Far, RecentringWorkspace, Sizes, within};
 use crate::phase_spaces::cotangent::Cotangent;
 use crate::realisations::{Fibres, Realisation, SectionOf};
 use lie_poisson::{
-    DualNumber, Mask, Pair, Real, Representation, RepresentedElement, Vector, euclidean_norm,
-    nearest_power_of_two,
+    DualNumber, Mask, Pair, Real, Representation, RepresentedElement, State, Vector,
+    euclidean_norm, nearest_power_of_two,
 };
 
 /// A lift of a [`ClebschMap`]: it returns for μ ∈ 𝔤∗ a point (q, p) with J(q, p) = μ and |q| = |p|.

@@ -3,7 +3,7 @@
 use super::equations::{PseudoInverse, least_solution};
 use crate::maps::fibre::LiftError;
 use crate::phase_spaces::cotangent::Cotangent;
-use lie_poisson::{Mask, Real, Representation, RepresentedElement, Vector, larger};
+use lie_poisson::{Mask, Real, Representation, RepresentedElement, State, Vector, larger};
 use nalgebra::DMatrix;
 
 /// The number of points q that are tried.

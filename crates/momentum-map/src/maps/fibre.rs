@@ -27,7 +27,7 @@ impl LiftError {
         value: f64,
         reason: &'static str,
     ) -> Result<V, Self> {
-        if lifted.all_finite() { Ok(lifted) } else { Err(Self { quantity, value, reason }) }
+        if lifted.is_finite() { Ok(lifted) } else { Err(Self { quantity, value, reason }) }
     }
 }
 

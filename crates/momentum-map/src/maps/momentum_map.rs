@@ -5,7 +5,9 @@ use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, Targ
 use crate::maps::symplectic_representation::ODD_POWER_TOLERANCE;
 use crate::phase_spaces::cotangent::CotangentBundle;
 use crate::phase_spaces::symplectic::SymplecticSpace;
-use lie_poisson::{Differential, LieGroup, LiePoisson, Real, Vector, larger, odd_power_defect_of};
+use lie_poisson::{
+    Differential, LieGroup, LiePoisson, Real, State, Vector, larger, odd_power_defect_of,
+};
 use nalgebra::DMatrix;
 
 /// The momentum map J: T∗Q → 𝔤∗ of the cotangent lift of an action, derived from the action:

@@ -246,7 +246,7 @@ pub(crate) fn within<V: Vector<Scalar = T>, T: Real>(v: &V, w: &V, factor: f64) 
 pub(crate) fn block_sizes<V: Vector<Scalar = T>, T: Real>(v: &V) -> V {
     V::from_coordinates(|i| {
         let mut most = T::zero();
-        for d in (0..V::DIM).filter(|&d| V::block(d) == V::block(i)) {
+        for d in (0..V::DIM).filter(|&d| v.block(d) == v.block(i)) {
             most = most.larger(modulus(v.coordinate(d)));
         }
         most

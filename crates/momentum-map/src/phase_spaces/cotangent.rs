@@ -1,10 +1,9 @@
 //! Cotangent bundles of vector spaces: [`CotangentBundle`].
 
 use crate::phase_spaces::symplectic::SymplecticSpace;
-use core::ops::{Add, AddAssign, Neg, Sub, SubAssign};
 use lie_poisson::{
     Covector, Differential, Point, PoissonSpace, Real, Vector, VectorSpace, map_coordinates,
-    state_by_value,
+    state_of_parts, vector_operators,
 };
 
 /// A point (q, p) ∈ T∗Q = Q × Q∗; the coordinates of q come first.
@@ -32,17 +31,12 @@ impl<Q: Vector> Cotangent<Q> {
     }
 }
 
-state_by_value!([Q: Vector] Cotangent<Q>, Q::Scalar, (Q::Blocks, Q::Blocks));
+state_of_parts!([Q: Vector] Cotangent<Q>, Q::Scalar, q: Q, p: Q::Dual);
+vector_operators!([Q: Vector] Cotangent<Q>);
 
 impl<Q: Vector> Vector for Cotangent<Q> {
     type Dual = Covector<Self>;
     const DIM: usize = 2 * Q::DIM;
-
-    /// Returns the block of a coordinate: the blocks of q come first, then those of p.
-    #[cfg_attr(optimised, inline(always))]
-    fn block(i: usize) -> usize {
-        if i < Q::DIM { Q::block(i) } else { Q::BLOCKS + Q::block(i - Q::DIM) }
-    }
 
     #[allow(clippy::redundant_closure)] // `&mut f` would be called, and this closure is inlined.
     #[cfg_attr(optimised, inline(always))]
@@ -56,56 +50,6 @@ impl<Q: Vector> Vector for Cotangent<Q> {
             |i| f(Q::DIM + i),
         );
         Self { q, p }
-    }
-
-    #[cfg_attr(optimised, inline(always))]
-    fn coordinate(&self, i: usize) -> Q::Scalar {
-        if i < Q::DIM { self.q.coordinate(i) } else { self.p.coordinate(i - Q::DIM) }
-    }
-
-    #[cfg_attr(optimised, inline(always))]
-    fn scaled(&self, s: Q::Scalar) -> Self {
-        Self { q: self.q.scaled(s), p: self.p.scaled(s) }
-    }
-}
-
-impl<Q: Vector> Add for Cotangent<Q> {
-    type Output = Self;
-    #[cfg_attr(optimised, inline(always))]
-    fn add(self, rhs: Self) -> Self {
-        Self { q: self.q + rhs.q, p: self.p + rhs.p }
-    }
-}
-
-impl<Q: Vector> Sub for Cotangent<Q> {
-    type Output = Self;
-    #[cfg_attr(optimised, inline(always))]
-    fn sub(self, rhs: Self) -> Self {
-        Self { q: self.q - rhs.q, p: self.p - rhs.p }
-    }
-}
-
-impl<Q: Vector> Neg for Cotangent<Q> {
-    type Output = Self;
-    #[cfg_attr(optimised, inline(always))]
-    fn neg(self) -> Self {
-        Self { q: -self.q, p: -self.p }
-    }
-}
-
-impl<Q: Vector> AddAssign for Cotangent<Q> {
-    #[cfg_attr(optimised, inline(always))]
-    fn add_assign(&mut self, rhs: Self) {
-        self.q += rhs.q;
-        self.p += rhs.p;
-    }
-}
-
-impl<Q: Vector> SubAssign for Cotangent<Q> {
-    #[cfg_attr(optimised, inline(always))]
-    fn sub_assign(&mut self, rhs: Self) {
-        self.q -= rhs.q;
-        self.p -= rhs.p;
     }
 }
 

@@ -5,7 +5,7 @@ use crate::maps::fibre::{FibreSymmetry, Lift, LiftError};
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetPoint};
 use crate::maps::quadratic_momentum_map::QuadraticMomentumMap;
 use crate::maps::symplectic_representation::{Reversed, SymplecticRepresentation};
-use lie_poisson::{Pair, Real, SL2OnR2, Sl2, Sum, Vector, map_coordinates, squaring_scale};
+use lie_poisson::{Pair, Real, SL2OnR2, Sl2, State, Sum, Vector, map_coordinates, squaring_scale};
 use nalgebra::Vector2;
 
 /// A representation of SL(2, R) on R² with the symplectic form ±(dq ∧ dp).

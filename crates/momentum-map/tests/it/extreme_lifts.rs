@@ -1,7 +1,9 @@
 //! Lifts of momenta of every size, from the smallest number to the largest.
 
 use core::fmt::Debug;
-use lie_poisson::{Covector, DefaultLanes, Lanes, SL2OnR2, Se3Dual, Sum, Vector, map_coordinates};
+use lie_poisson::{
+    Covector, DefaultLanes, Lanes, SL2OnR2, Se3Dual, State, Sum, Vector, map_coordinates,
+};
 use momentum_map::{
     Cotangent, HOPF, HopfRealisation, Lift, LiftError, PARTICLE, PoissonMap, QuadraticMomentumMap,
     RecentringWorkspace, Reversed, Side, So3OnC2, SourcePoint, TargetPoint, UnitaryRealisation,

@@ -83,5 +83,5 @@ impl Motion {
 
 /// Returns (Π, Γ) of its coordinates.
 fn momentum(mu: &AnyState) -> Se3Dual {
-    Se3Dual::from_coordinates(|i| mu.entry(i))
+    Se3Dual::from_coordinates(|i| mu.coordinate(i))
 }

@@ -75,7 +75,7 @@ impl PageMethod {
         let integrator = self.integrator(top)?;
         let mut state = integrator.start(&AnyState::of(&from.momentum))?;
         let first = state.dimension().saturating_sub(ATTITUDE);
-        (0..ATTITUDE).for_each(|i| state.set_entry(first + i, from.attitude.coordinate(i)));
+        (0..ATTITUDE).for_each(|i| state.set_coordinate(first + i, from.attitude.coordinate(i)));
         Ok(Motion::new(integrator, state))
     }
 

@@ -8,7 +8,7 @@ use collective_integrators::{AnyIntegrator, AnyTangents};
 use core::ops::Range;
 use heavytop::methods::{Method, SchemeName};
 use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
-use lie_poisson::{Quaternion, Se3Dual, Vector};
+use lie_poisson::{Quaternion, Se3Dual, State, Vector};
 
 /// A heavy top, and the axes of the body in which users give and read its states (Π, Γ). It moves in its principal axes.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -90,15 +90,15 @@ impl<V: State> BlockScales<V> {
 
     /// Returns the coordinate v_i in units of the scale of its block. It is 0 if v_i is, also in a block of scale 0.
     #[must_use]
-    pub fn entry(&self, v: &V, i: usize) -> V::Scalar {
-        quotient(v.entry(i), self.at(v.block_of(i)))
+    pub fn coordinate(&self, v: &V, i: usize) -> V::Scalar {
+        quotient(v.coordinate(i), self.at(v.block(i)))
     }
 
     /// Returns the norm ‖v‖ = √(Σ_b |v_b|²/s_b²) in each SIMD lane. It is NaN where a coordinate is NaN, and ∞ where a
     /// block of scale 0 is not zero.
     #[must_use]
     pub fn norm(&self, v: &V) -> V::Scalar {
-        norm_of(v.dimension(), |i| self.entry(v, i))
+        norm_of(v.dimension(), |i| self.coordinate(v, i))
     }
 
     /// Returns max_b |v_b|/s_b in each SIMD lane, with the same exceptions as the [`norm`](Self::norm).
@@ -112,7 +112,10 @@ impl<V: State> BlockScales<V> {
 
 /// Returns |v_b|, the Euclidean norm of the coordinates of a block.
 fn block_norm<V: State>(v: &V, block: usize) -> V::Scalar {
-    norm_of(v.dimension(), |i| if v.block_of(i) == block { v.entry(i) } else { num_traits::zero() })
+    norm_of(
+        v.dimension(),
+        |i| if v.block(i) == block { v.coordinate(i) } else { num_traits::zero() },
+    )
 }
 
 /// Returns x/s, and 0 for x = s = 0.
@@ -172,10 +175,10 @@ mod tests {
         let constant = DualNumber::constant;
         let sizes = Pair(Vector1::new(constant(0.0)), Vector2::new(constant(4.0), constant(0.0)));
         let scales = BlockScales::<Two<DualNumber>>::of(&sizes);
-        let entry = scales.entry(&v, 1);
+        let entry = scales.coordinate(&v, 1);
         assert_eq!((entry.value_without_derivative(), entry.derivative()), (0.0, 0.75));
         // Control: a coordinate without a scale has none.
-        let entry = scales.entry(&v, 0);
+        let entry = scales.coordinate(&v, 0);
         assert_eq!((entry.value_without_derivative(), entry.derivative()), (0.0, 0.0));
     }
 

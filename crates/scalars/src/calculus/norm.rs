@@ -30,7 +30,7 @@ const LARGE: f64 = two_to_the(500);
 /// ```
 #[inline]
 pub fn squaring_scale<V: State>(v: &V) -> V::Scalar {
-    squaring_scale_of(v.dimension(), |i| v.entry(i))
+    squaring_scale_of(v.dimension(), |i| v.coordinate(i))
 }
 
 /// Returns the [`squaring_scale`] of the coordinates x(0), …, x(n − 1).
@@ -62,7 +62,7 @@ fn squaring_scale_of<T: Real>(n: usize, x: impl Fn(usize) -> T) -> T {
 /// ```
 #[inline]
 pub fn euclidean_norm<V: State>(v: &V) -> V::Scalar {
-    norm_of(v.dimension(), |i| v.entry(i))
+    norm_of(v.dimension(), |i| v.coordinate(i))
 }
 
 /// Returns the Euclidean norm of the coordinates x(0), …, x(n − 1).

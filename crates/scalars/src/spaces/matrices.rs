@@ -1,13 +1,123 @@
 //! [`Vector`] for matrices of real and of complex numbers; products with constant matrices over every scalar.
 
+use crate::numbers::mask::Mask;
 use crate::numbers::real::Real;
 use crate::spaces::covector::Covector;
+use crate::spaces::state::State;
 use crate::spaces::vector::Vector;
-use crate::state_by_value;
 use nalgebra::{ArrayStorage, SMatrix, SVector, Vector3};
 use num_complex::Complex;
 
-state_by_value!([T: Real, const R: usize, const C: usize] SMatrix<T, R, C>, T, (T,));
+/// The operations in place that nalgebra has as operators.
+macro_rules! operations_by_operators {
+    () => {
+        #[cfg_attr(optimised, inline(always))]
+        fn dimension(&self) -> usize {
+            Self::DIM
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn shape(&self) {}
+
+        #[cfg_attr(optimised, inline(always))]
+        fn zeros_of((): &()) -> Self {
+            Self::zero()
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn assign(&mut self, x: &Self) {
+            *self = *x;
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn move_from(&mut self, other: &mut Self) {
+            *self = *other;
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn set_zero(&mut self) {
+            *self = Self::zero();
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn add_in_place(&mut self, x: &Self) {
+            *self += *x;
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn subtract_in_place(&mut self, x: &Self) {
+            *self -= *x;
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn subtract_from(&mut self, x: &Self) {
+            *self = *x - *self;
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn negate_in_place(&mut self) {
+            *self = -*self;
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn set_coordinates(&mut self, f: impl Fn(usize) -> T) {
+            *self = Self::from_coordinates(f);
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn replace_where(&mut self, mask: <T as Real>::Mask, x: &Self) {
+            *self = Vector::select(mask, x, self);
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn measure_difference(&self, x: &Self, largest: &mut Self::Blocks, sum: &mut T) {
+            (*self - *x).measure(largest, sum);
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn is_finite(&self) -> bool {
+            self.max_norm().at_most(T::from_f64(f64::MAX)).all()
+        }
+
+        #[cfg_attr(optimised, inline(always))]
+        fn add_multiple(&mut self, s: T, x: &Self) {
+            let mut product = *x;
+            product.scale_in_place(s);
+            *self += product;
+        }
+    };
+}
+
+impl<T: Real, const R: usize, const C: usize> State for SMatrix<T, R, C> {
+    type Scalar = T;
+    type Blocks = (T,);
+    type Shape = ();
+    type Pool = ();
+
+    operations_by_operators!();
+
+    #[cfg_attr(optimised, inline(always))]
+    fn coordinate(&self, i: usize) -> T {
+        match self.as_slice().get(i) {
+            Some(x) => *x,
+            None => T::zero(),
+        }
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn set_coordinate(&mut self, i: usize, x: T) {
+        if let Some(coordinate) = self.as_mut_slice().get_mut(i) {
+            *coordinate = x;
+        }
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn scale_in_place(&mut self, s: T) {
+        for x in self.as_mut_slice() {
+            *x *= s;
+        }
+    }
+}
 
 impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
     type Dual = Covector<Self>;
@@ -22,26 +132,41 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<T, R, C> {
         }
         matrix
     }
+}
+
+impl<T: Real, const R: usize, const C: usize> State for SMatrix<Complex<T>, R, C> {
+    type Scalar = T;
+    type Blocks = (T,);
+    type Shape = ();
+    type Pool = ();
+
+    operations_by_operators!();
 
     #[cfg_attr(optimised, inline(always))]
     fn coordinate(&self, i: usize) -> T {
-        match self.as_slice().get(i) {
-            Some(x) => *x,
+        match self.as_slice().get(i / 2) {
+            Some(z) if i.is_multiple_of(2) => z.re,
+            Some(z) => z.im,
             None => T::zero(),
         }
     }
 
     #[cfg_attr(optimised, inline(always))]
-    fn scaled(&self, s: T) -> Self {
-        let mut product = Self::from_array_storage(ArrayStorage([[T::zero(); R]; C]));
-        for (product, x) in product.as_mut_slice().iter_mut().zip(self.as_slice()) {
-            *product = *x * s;
+    fn set_coordinate(&mut self, i: usize, x: T) {
+        match self.as_mut_slice().get_mut(i / 2) {
+            Some(z) if i.is_multiple_of(2) => z.re = x,
+            Some(z) => z.im = x,
+            None => {}
         }
-        product
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn scale_in_place(&mut self, s: T) {
+        for z in self.as_mut_slice() {
+            *z = Complex { re: z.re * s, im: z.im * s };
+        }
     }
 }
-
-state_by_value!([T: Real, const R: usize, const C: usize] SMatrix<Complex<T>, R, C>, T, (T,));
 
 impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, C> {
     type Dual = Covector<Self>;
@@ -55,25 +180,6 @@ impl<T: Real, const R: usize, const C: usize> Vector for SMatrix<Complex<T>, R, 
             *z = Complex { re: f(2 * i), im: f(2 * i + 1) };
         }
         matrix
-    }
-
-    #[cfg_attr(optimised, inline(always))]
-    fn coordinate(&self, i: usize) -> T {
-        match self.as_slice().get(i / 2) {
-            Some(z) if i.is_multiple_of(2) => z.re,
-            Some(z) => z.im,
-            None => T::zero(),
-        }
-    }
-
-    #[cfg_attr(optimised, inline(always))]
-    fn scaled(&self, s: T) -> Self {
-        let zero = Complex { re: T::zero(), im: T::zero() };
-        let mut product = Self::from_array_storage(ArrayStorage([[zero; R]; C]));
-        for (product, z) in product.as_mut_slice().iter_mut().zip(self.as_slice()) {
-            *product = Complex { re: z.re * s, im: z.im * s };
-        }
-        product
     }
 }
 
@@ -213,7 +319,7 @@ mod tests {
         for i in 0..V::DIM {
             assert_eq!(v.coordinate(i), i as f64 + 1.0);
             assert_eq!(V::basis(i).pairing(&V::Dual::basis(i)), 1.0);
-            sum.add_scaled(v.coordinate(i), &V::basis(i));
+            sum.add_multiple(v.coordinate(i), &V::basis(i));
         }
         assert_eq!(sum, v);
         assert_eq!(v.coordinate(V::DIM), 0.0);

@@ -1,5 +1,6 @@
 //! Vector spaces over every scalar: states, vectors, duals, sums and powers.
 
+mod macros;
 pub(crate) mod state;
 pub(crate) mod vector;
 pub(crate) mod covector;

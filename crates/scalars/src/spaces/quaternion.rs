@@ -3,9 +3,10 @@
 use crate::numbers::real::Real;
 use crate::spaces::covector::Covector;
 use crate::spaces::matrices::{cross, dot};
+use crate::spaces::state::State;
 use crate::spaces::vector::Vector;
-use crate::state_by_value;
-use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+use crate::vector_operators;
+use core::ops::Mul;
 use nalgebra::Vector3;
 
 /// A quaternion s + v₁i + v₂j + v₃k ∈ H, with Hamilton's product ij = k.
@@ -139,7 +140,67 @@ impl<T: Real> Quaternion<T> {
     }
 }
 
-state_by_value!([T: Real] Quaternion<T>, T, (T,));
+impl<T: Real> State for Quaternion<T> {
+    type Scalar = T;
+    type Blocks = (T,);
+    type Shape = ();
+    type Pool = ();
+
+    #[cfg_attr(optimised, inline(always))]
+    fn dimension(&self) -> usize {
+        Self::DIM
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn shape(&self) {}
+
+    #[cfg_attr(optimised, inline(always))]
+    fn zeros_of((): &()) -> Self {
+        Self::zero()
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn coordinate(&self, i: usize) -> T {
+        if i == 0 { self.scalar } else { self.vector.coordinate(i - 1) }
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn set_coordinate(&mut self, i: usize, x: T) {
+        if i == 0 { self.scalar = x } else { self.vector.set_coordinate(i - 1, x) }
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn add_in_place(&mut self, x: &Self) {
+        self.scalar += x.scalar;
+        self.vector.add_in_place(&x.vector);
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn subtract_in_place(&mut self, x: &Self) {
+        self.scalar -= x.scalar;
+        self.vector.subtract_in_place(&x.vector);
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn negate_in_place(&mut self) {
+        self.scalar = -self.scalar;
+        self.vector.negate_in_place();
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn scale_in_place(&mut self, s: T) {
+        self.scalar *= s;
+        self.vector.scale_in_place(s);
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn add_multiple(&mut self, s: T, x: &Self) {
+        self.scalar += x.scalar * s;
+        self.vector.add_multiple(s, &x.vector);
+    }
+}
+
+vector_operators!([T: Real] Quaternion<T>);
 
 impl<T: Real> Vector for Quaternion<T> {
     type Dual = Covector<Self>;
@@ -149,16 +210,6 @@ impl<T: Real> Vector for Quaternion<T> {
     fn from_coordinates(mut f: impl FnMut(usize) -> T) -> Self {
         let scalar = f(0);
         Self { scalar, vector: Vector3::new(f(1), f(2), f(3)) }
-    }
-
-    #[cfg_attr(optimised, inline(always))]
-    fn coordinate(&self, i: usize) -> T {
-        if i == 0 { self.scalar } else { self.vector.coordinate(i - 1) }
-    }
-
-    #[cfg_attr(optimised, inline(always))]
-    fn scaled(&self, s: T) -> Self {
-        Self { scalar: self.scalar * s, vector: self.vector * s }
     }
 }
 
@@ -172,44 +223,6 @@ impl<T: Real> Mul for Quaternion<T> {
                 + self.vector * rhs.scalar
                 + cross(&self.vector, &rhs.vector),
         }
-    }
-}
-
-impl<T: Real> Add for Quaternion<T> {
-    type Output = Self;
-    #[cfg_attr(optimised, inline(always))]
-    fn add(self, rhs: Self) -> Self {
-        Self { scalar: self.scalar + rhs.scalar, vector: self.vector + rhs.vector }
-    }
-}
-
-impl<T: Real> Sub for Quaternion<T> {
-    type Output = Self;
-    #[cfg_attr(optimised, inline(always))]
-    fn sub(self, rhs: Self) -> Self {
-        Self { scalar: self.scalar - rhs.scalar, vector: self.vector - rhs.vector }
-    }
-}
-
-impl<T: Real> Neg for Quaternion<T> {
-    type Output = Self;
-    #[cfg_attr(optimised, inline(always))]
-    fn neg(self) -> Self {
-        Self { scalar: -self.scalar, vector: -self.vector }
-    }
-}
-
-impl<T: Real> AddAssign for Quaternion<T> {
-    #[cfg_attr(optimised, inline(always))]
-    fn add_assign(&mut self, rhs: Self) {
-        *self = *self + rhs;
-    }
-}
-
-impl<T: Real> SubAssign for Quaternion<T> {
-    #[cfg_attr(optimised, inline(always))]
-    fn sub_assign(&mut self, rhs: Self) {
-        *self = *self - rhs;
     }
 }
 

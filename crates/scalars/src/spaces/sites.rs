@@ -18,7 +18,7 @@ use core::ops::{Deref, DerefMut};
 /// assert_eq!((spins.len(), spins.dimension()), (1000, 3000));
 /// assert_eq!(spins.iter().sum::<Vector3<f64>>(), Vector3::new(1.0, 0.0, 999.0));
 /// spins.scale_in_place(2.0);
-/// assert_eq!(spins.entry(3 * 999 + 2), 2.0);
+/// assert_eq!(spins.coordinate(3 * 999 + 2), 2.0);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -61,13 +61,112 @@ impl<V> DerefMut for Sites<V> {
     }
 }
 
-impl<V: Vector> Sites<V> {
-    /// Calls f(vᵢ, xᵢ) for every i.
-    #[cfg_attr(optimised, inline(always))]
-    fn each(&mut self, x: &Self, mut f: impl FnMut(&mut V, &V)) {
-        self.0.iter_mut().zip(&x.0).for_each(|(v, x)| f(v, x));
-    }
+/// The operations of a [`State`] that is a sequence of vectors of one space, one vector after the other.
+macro_rules! operations_by_sites {
+    ($inline:meta) => {
+        #[$inline]
+        fn coordinate(&self, i: usize) -> V::Scalar {
+            // Vectors of dimension 0 have no coordinates; the width 1 avoids a division by zero.
+            let width = V::DIM.max(1);
+            self.0.get(i / width).map_or_else(num_traits::zero, |v| v.coordinate(i % width))
+        }
+
+        #[$inline]
+        fn set_coordinate(&mut self, i: usize, x: V::Scalar) {
+            let width = V::DIM.max(1);
+            if let Some(v) = self.0.get_mut(i / width) {
+                v.set_coordinate(i % width, x);
+            }
+        }
+
+        /// Returns the block of a coordinate within its vector: all vectors share their blocks.
+        #[$inline]
+        fn block(&self, i: usize) -> usize {
+            if V::BLOCKS == 1 { 0 } else { V::zero().block(i % V::DIM.max(1)) }
+        }
+
+        #[$inline]
+        fn set_zero(&mut self) {
+            self.0.fill(V::zero());
+        }
+
+        #[$inline]
+        fn add_in_place(&mut self, x: &Self) {
+            for (v, x) in self.0.iter_mut().zip(&x.0) {
+                v.add_in_place(x);
+            }
+        }
+
+        #[$inline]
+        fn subtract_in_place(&mut self, x: &Self) {
+            for (v, x) in self.0.iter_mut().zip(&x.0) {
+                v.subtract_in_place(x);
+            }
+        }
+
+        #[$inline]
+        fn subtract_from(&mut self, x: &Self) {
+            for (v, x) in self.0.iter_mut().zip(&x.0) {
+                v.subtract_from(x);
+            }
+        }
+
+        #[$inline]
+        fn negate_in_place(&mut self) {
+            for v in &mut self.0 {
+                v.negate_in_place();
+            }
+        }
+
+        #[$inline]
+        fn scale_in_place(&mut self, s: V::Scalar) {
+            for v in &mut self.0 {
+                v.scale_in_place(s);
+            }
+        }
+
+        #[$inline]
+        fn add_multiple(&mut self, s: V::Scalar, x: &Self) {
+            for (v, x) in self.0.iter_mut().zip(&x.0) {
+                v.add_multiple(s, x);
+            }
+        }
+
+        /// Adds all terms at one site before going on to the next site, so that the sum passes through memory once.
+        #[$inline]
+        fn add_combination(&mut self, a: &[f64], k: &[Self]) {
+            for (i, v) in self.0.iter_mut().enumerate() {
+                for (&a, k) in a.iter().zip(k) {
+                    if let Some(k) = k.0.get(i) {
+                        v.add_multiple(V::Scalar::from_f64(a), k);
+                    }
+                }
+            }
+        }
+
+        #[$inline]
+        fn replace_where(&mut self, mask: <V::Scalar as Real>::Mask, x: &Self) {
+            for (v, x) in self.0.iter_mut().zip(&x.0) {
+                v.replace_where(mask, x);
+            }
+        }
+
+        #[$inline]
+        fn measure(&self, largest: &mut V::Blocks, sum: &mut V::Scalar) {
+            for v in &self.0 {
+                v.measure(largest, sum);
+            }
+        }
+
+        #[$inline]
+        fn measure_difference(&self, x: &Self, largest: &mut V::Blocks, sum: &mut V::Scalar) {
+            for (v, x) in self.0.iter().zip(&x.0) {
+                v.measure_difference(x, largest, sum);
+            }
+        }
+    };
 }
+pub(crate) use operations_by_sites;
 
 impl<V: Vector> State for Sites<V> {
     type Scalar = V::Scalar;
@@ -107,86 +206,5 @@ impl<V: Vector> State for Sites<V> {
         self.0.clone_from(&x.0);
     }
 
-    #[inline]
-    fn move_from(&mut self, other: &mut Self) {
-        core::mem::swap(self, other);
-    }
-
-    #[inline]
-    fn entry(&self, i: usize) -> V::Scalar {
-        // Vectors of dimension 0 have no coordinates; the width 1 avoids a division by zero.
-        let width = V::DIM.max(1);
-        self.get(i / width).map_or_else(num_traits::zero, |v| v.coordinate(i % width))
-    }
-
-    #[inline]
-    fn set_entry(&mut self, i: usize, x: V::Scalar) {
-        let width = V::DIM.max(1);
-        if let Some(v) = self.get_mut(i / width) {
-            v.set_entry(i % width, x);
-        }
-    }
-
-    /// Returns the block of a coordinate within its vector: all vectors share their blocks.
-    #[inline]
-    fn block_of(&self, i: usize) -> usize {
-        V::block(i % V::DIM.max(1))
-    }
-
-    #[inline]
-    fn set_zero(&mut self) {
-        self.0.fill(V::zero());
-    }
-
-    #[inline]
-    fn add_in_place(&mut self, x: &Self) {
-        self.each(x, |v, x| *v += *x);
-    }
-
-    #[inline]
-    fn subtract_in_place(&mut self, x: &Self) {
-        self.each(x, |v, x| *v -= *x);
-    }
-
-    #[inline]
-    fn subtract_from(&mut self, x: &Self) {
-        self.each(x, |v, x| *v = *x - *v);
-    }
-
-    #[inline]
-    fn scale_in_place(&mut self, s: V::Scalar) {
-        self.0.iter_mut().for_each(|v| v.scale_in_place(s));
-    }
-
-    #[inline]
-    fn add_multiple(&mut self, s: V::Scalar, x: &Self) {
-        self.each(x, |v, x| v.add_scaled(s, x));
-    }
-
-    /// Adds all terms at one site before going on to the next site, so that the sum passes through memory once.
-    #[inline]
-    fn add_combination(&mut self, a: &[f64], k: &[Self]) {
-        for (i, v) in self.0.iter_mut().enumerate() {
-            for (&a, k) in a.iter().zip(k) {
-                if let Some(k) = k.get(i) {
-                    v.add_scaled(V::Scalar::from_f64(a), k);
-                }
-            }
-        }
-    }
-
-    #[inline]
-    fn replace_where(&mut self, mask: <V::Scalar as Real>::Mask, x: &Self) {
-        self.each(x, |v, x| v.replace_where(mask, x));
-    }
-
-    #[inline]
-    fn measure(&self, largest: &mut V::Blocks, sum: &mut V::Scalar) {
-        self.iter().for_each(|v| v.measure(largest, sum));
-    }
-
-    #[inline]
-    fn measure_difference(&self, x: &Self, largest: &mut V::Blocks, sum: &mut V::Scalar) {
-        self.iter().zip(x.iter()).for_each(|(v, x)| v.measure_difference(x, largest, sum));
-    }
+    operations_by_sites!(inline);
 }

@@ -8,8 +8,10 @@ use core::fmt::Debug;
 /// A vector that an integrator advances: either small and of fixed dimension, or large and on the heap.
 ///
 /// The operations work in place, so that a large vector needs no storage for intermediate results. A small vector is
-/// a [`Vector`](crate::Vector): it computes by value, and [`state_by_value!`](crate::state_by_value) implements
-/// `State` for it by means of the operations of [`Vector`](crate::Vector).
+/// also a [`Vector`](crate::Vector), which adds operators that compute by value.
+///
+/// A structure of one or two states is a state by [`state_of_parts!`](crate::state_of_parts), and so are
+/// [`Pair`](crate::Pair), [`Power`](crate::Power) and [`Sites`](crate::Sites).
 ///
 /// The arguments of an operation belong to one space ([`same_shape`](Self::same_shape)). Otherwise the result has no
 /// meaning, but no operation panics.
@@ -35,7 +37,8 @@ use core::fmt::Debug;
 /// let z = moved(&y, &x, &mut Default::default());
 /// assert_eq!(z, Pair(Vector1::new(2.0), Vector2::new(2.0, 3.0)));
 /// ```
-/// A state of your own on the heap needs eleven items; the other methods have defaults:
+/// A state of your own on the heap needs nine items, and two more to reuse its storage; the other methods have
+/// defaults:
 /// ```
 /// use generic_scalars::State;
 /// #[derive(Clone, Debug, PartialEq)]
@@ -52,8 +55,8 @@ use core::fmt::Debug;
 ///         pool.pop().filter(|v| v.same_shape(like)).unwrap_or_else(|| like.zeros_like())
 ///     }
 ///     fn give(self, pool: &mut Vec<Self>) { pool.push(self) }
-///     fn entry(&self, i: usize) -> f64 { self.0.get(i).copied().unwrap_or(0.0) }
-///     fn set_entry(&mut self, i: usize, x: f64) {
+///     fn coordinate(&self, i: usize) -> f64 { self.0.get(i).copied().unwrap_or(0.0) }
+///     fn set_coordinate(&mut self, i: usize, x: f64) {
 ///         if let Some(v) = self.0.get_mut(i) { *v = x }
 ///     }
 ///     fn scale_in_place(&mut self, s: f64) { self.0.iter_mut().for_each(|v| *v *= s) }
@@ -64,7 +67,7 @@ use core::fmt::Debug;
 /// let (mut v, x) = (Heap(vec![1.0, 2.0]), Heap(vec![3.0, -1.0]));
 /// v.subtract_from(&x);
 /// assert_eq!(v, Heap(vec![2.0, -3.0]));
-/// assert!(v.all_finite() && x.zeros_like() == Heap(vec![0.0; 2]));
+/// assert!(v.is_finite() && x.zeros_like() == Heap(vec![0.0; 2]));
 /// ```
 pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// The type of the real numbers.
@@ -113,12 +116,17 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
         Self::zeros_of(&self.shape())
     }
 
-    /// Takes a vector of the space of `like` from the pool. Its coordinates are arbitrary.
+    /// Takes a vector of the space of `like` from the pool. Its coordinates are arbitrary. The default is a new vector,
+    /// which is right for a small type.
     #[must_use]
-    fn take(pool: &mut Self::Pool, like: &Self) -> Self;
+    #[cfg_attr(optimised, inline(always))]
+    fn take(_pool: &mut Self::Pool, like: &Self) -> Self {
+        like.zeros_like()
+    }
 
-    /// Gives a vector back to the pool.
-    fn give(self, pool: &mut Self::Pool);
+    /// Gives a vector back to the pool. The default drops it.
+    #[cfg_attr(optimised, inline(always))]
+    fn give(self, _pool: &mut Self::Pool) {}
 
     /// Copies another vector into the storage of this one: v ← x.
     #[cfg_attr(optimised, inline(always))]
@@ -135,16 +143,16 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// Returns the i-th coordinate, or zero for i ≥ [`dimension`](Self::dimension).
-    fn entry(&self, i: usize) -> Self::Scalar;
+    fn coordinate(&self, i: usize) -> Self::Scalar;
 
     /// Sets the i-th coordinate; does nothing for i ≥ [`dimension`](Self::dimension).
-    fn set_entry(&mut self, i: usize, x: Self::Scalar);
+    fn set_coordinate(&mut self, i: usize, x: Self::Scalar);
 
     /// Sets every coordinate: vᵢ ← f(i).
     #[cfg_attr(optimised, inline(always))]
-    fn set_entries(&mut self, f: impl Fn(usize) -> Self::Scalar) {
+    fn set_coordinates(&mut self, f: impl Fn(usize) -> Self::Scalar) {
         for i in 0..self.dimension() {
-            self.set_entry(i, f(i));
+            self.set_coordinate(i, f(i));
         }
     }
 
@@ -156,15 +164,24 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     }
 
     /// Returns the block of the i-th coordinate, a number below [`BLOCKS`](Self::BLOCKS). The default is 0.
+    ///
+    /// ```
+    /// use generic_scalars::{Covector, Pair, State};
+    /// use nalgebra::Vector3;
+    /// type Momentum = Covector<Pair<Vector3<f64>, Vector3<f64>>>; // (Π, Γ)
+    /// let momentum = Momentum::new(Vector3::x(), Vector3::y());
+    /// assert_eq!(Momentum::BLOCKS, 2);
+    /// assert_eq!([0, 2, 3, 5].map(|i| momentum.block(i)), [0, 0, 1, 1]);
+    /// ```
     #[cfg_attr(optimised, inline(always))]
-    fn block_of(&self, _i: usize) -> usize {
+    fn block(&self, _i: usize) -> usize {
         0
     }
 
     /// Sets all coordinates to zero.
     #[cfg_attr(optimised, inline(always))]
     fn set_zero(&mut self) {
-        self.set_entries(|_| Self::Scalar::from_f64(0.0));
+        self.set_coordinates(|_| Self::Scalar::from_f64(0.0));
     }
 
     /// Adds another vector: v ← v + x.
@@ -182,8 +199,14 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Subtracts from another vector: v ← x − v.
     #[cfg_attr(optimised, inline(always))]
     fn subtract_from(&mut self, x: &Self) {
-        self.scale_in_place(Self::Scalar::from_f64(-1.0));
+        self.negate_in_place();
         self.add_in_place(x);
+    }
+
+    /// Changes the sign: v ← −v.
+    #[cfg_attr(optimised, inline(always))]
+    fn negate_in_place(&mut self) {
+        self.scale_in_place(Self::Scalar::from_f64(-1.0));
     }
 
     /// Multiplies by a number: v ← s v.
@@ -205,7 +228,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     #[cfg_attr(optimised, inline(always))]
     fn replace_where(&mut self, mask: <Self::Scalar as Real>::Mask, x: &Self) {
         for i in 0..self.dimension() {
-            self.set_entry(i, Real::select(mask, x.entry(i), self.entry(i)));
+            self.set_coordinate(i, Real::select(mask, x.coordinate(i), self.coordinate(i)));
         }
     }
 
@@ -215,7 +238,7 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     #[cfg_attr(optimised, inline(always))]
     fn measure(&self, largest: &mut Self::Blocks, sum: &mut Self::Scalar) {
         for i in 0..self.dimension() {
-            let (block, size) = (self.block_of(i), self.entry(i).magnitude());
+            let (block, size) = (self.block(i), self.coordinate(i).magnitude());
             largest.set(block, size.maximum(largest.at(block)));
             *sum += size;
         }
@@ -225,19 +248,25 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
     #[cfg_attr(optimised, inline(always))]
     fn measure_difference(&self, x: &Self, largest: &mut Self::Blocks, sum: &mut Self::Scalar) {
         for i in 0..self.dimension() {
-            let (block, size) = (self.block_of(i), (self.entry(i) - x.entry(i)).magnitude());
+            let (block, size) = (self.block(i), (self.coordinate(i) - x.coordinate(i)).magnitude());
             largest.set(block, size.maximum(largest.at(block)));
             *sum += size;
         }
     }
 
     /// Returns whether every coordinate is a finite number in every lane.
-    fn all_finite(&self) -> bool {
+    #[cfg_attr(optimised, inline(always))]
+    fn is_finite(&self) -> bool {
         let zero = Self::Scalar::from_f64(0.0);
         let (mut largest, mut sum) = (Self::Blocks::uniform(zero), zero);
         self.measure(&mut largest, &mut sum);
-        // Numbers may be finite although their sum is not.
-        let finite = (0..Self::BLOCKS).all(|block| largest.at(block).max_abs().is_finite());
-        finite && sum.at_most(sum).all()
+        // Numbers may be finite although their sum is not. The sum keeps a NaN that the maximum loses.
+        let most = Self::Scalar::from_f64(f64::MAX);
+        let finite = (0..Self::BLOCKS).fold(
+            sum.at_most(sum),
+            #[cfg_attr(optimised, inline(always))]
+            |finite, block| finite.and(largest.at(block).at_most(most)),
+        );
+        finite.all()
     }
 }

@@ -6,13 +6,13 @@ use num_complex::Complex;
 
 /// Returns the coordinates of a state.
 fn entries<V: State<Scalar = f64>>(v: &V) -> Vec<f64> {
-    (0..v.dimension()).map(|i| v.entry(i)).collect()
+    (0..v.dimension()).map(|i| v.coordinate(i)).collect()
 }
 
 /// Returns the state of the space of `like` with the coordinates f(i).
 fn with_entries<V: State<Scalar = f64>>(like: &V, f: impl Fn(usize) -> f64) -> V {
     let mut v = like.zeros_like();
-    (0..v.dimension()).for_each(|i| v.set_entry(i, f(i)));
+    (0..v.dimension()).for_each(|i| v.set_coordinate(i, f(i)));
     v
 }
 
@@ -22,9 +22,9 @@ fn check<V: State<Scalar = f64>>(like: &V) {
     let (v, x) = (with_entries(like, f), with_entries(like, g));
     let n = like.dimension();
     assert!(n > 0 && v.same_shape(&x) && v != x);
-    assert!((0..n).all(|i| v.block_of(i) < V::BLOCKS));
+    assert!((0..n).all(|i| v.block(i) < V::BLOCKS));
     assert_eq!(entries(&v), (0..n).map(f).collect::<Vec<_>>());
-    assert_eq!((v.entry(n), entries(&v.zeros_like())), (0.0, vec![0.0; n]));
+    assert_eq!((v.coordinate(n), entries(&v.zeros_like())), (0.0, vec![0.0; n]));
 
     let mut pool = V::Pool::default();
     let becomes = |what: &dyn Fn(&mut V), expected: &dyn Fn(f64, f64) -> f64| {
@@ -33,7 +33,7 @@ fn check<V: State<Scalar = f64>>(like: &V) {
         assert_eq!(entries(&changed), (0..n).map(|i| expected(f(i), g(i))).collect::<Vec<_>>());
     };
     becomes(&|v| v.set_zero(), &|_, _| 0.0);
-    becomes(&|v| v.set_entries(&g), &|_, x| x);
+    becomes(&|v| v.set_coordinates(&g), &|_, x| x);
     becomes(&|v| v.assign(&x), &|_, x| x);
     becomes(&|v| v.move_from(&mut x.clone()), &|_, x| x);
     becomes(&|v| v.add_in_place(&x), &|v, x| v + x);
@@ -70,27 +70,27 @@ fn measures<V: State<Scalar = f64>>(v: &V, x: &V) {
     let expected = |size: &dyn Fn(usize) -> f64| {
         let mut largest = vec![0.0_f64; V::BLOCKS];
         for i in 0..v.dimension() {
-            largest[v.block_of(i)] = largest[v.block_of(i)].max(size(i));
+            largest[v.block(i)] = largest[v.block(i)].max(size(i));
         }
         (largest, (0..v.dimension()).map(size).sum::<f64>())
     };
-    let size = |i: usize| v.entry(i).abs();
+    let size = |i: usize| v.coordinate(i).abs();
     assert_eq!(measured(&|largest, sum| v.measure(largest, sum)), expected(&size));
-    let apart = |i: usize| (v.entry(i) - x.entry(i)).abs();
+    let apart = |i: usize| (v.coordinate(i) - x.coordinate(i)).abs();
     assert_eq!(measured(&|largest, sum| v.measure_difference(x, largest, sum)), expected(&apart));
-    assert!(v.all_finite());
+    assert!(v.is_finite());
     for i in 0..v.dimension() {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let mut spoilt = v.clone();
-            spoilt.set_entry(i, bad);
-            assert!(!spoilt.all_finite(), "{i} {bad}");
+            spoilt.set_coordinate(i, bad);
+            assert!(!spoilt.is_finite(), "{i} {bad}");
             let (_, sum) = measured(&|largest, sum| spoilt.measure(largest, sum));
             assert_eq!(sum.is_nan(), bad.is_nan());
         }
         let mut huge = v.clone();
-        huge.set_entry(i, f64::MAX);
-        huge.set_entry(0, f64::MAX);
-        assert!(huge.all_finite(), "the sum overflows, and the numbers do not");
+        huge.set_coordinate(i, f64::MAX);
+        huge.set_coordinate(0, f64::MAX);
+        assert!(huge.is_finite(), "the sum overflows, and the numbers do not");
     }
 }
 
@@ -137,17 +137,17 @@ impl State for ByDefault {
         pool.push(self);
     }
 
-    fn entry(&self, i: usize) -> f64 {
+    fn coordinate(&self, i: usize) -> f64 {
         self.0.get(i).copied().unwrap_or(0.0)
     }
 
-    fn set_entry(&mut self, i: usize, x: f64) {
+    fn set_coordinate(&mut self, i: usize, x: f64) {
         if let Some(v) = self.0.get_mut(i) {
             *v = x;
         }
     }
 
-    fn block_of(&self, i: usize) -> usize {
+    fn block(&self, i: usize) -> usize {
         i % 2
     }
 
@@ -168,9 +168,9 @@ fn the_default_methods_compute_coordinate_by_coordinate() {
 #[test]
 fn no_sites_are_a_space_of_dimension_0() {
     let mut none = Sites::<Vector3<f64>>::new(Vec::new());
-    none.set_entry(0, 1.0);
+    none.set_coordinate(0, 1.0);
     none.add_combination(&[1.0], &[none.clone()]);
-    assert_eq!((none.dimension(), none.entry(0), none.all_finite()), (0, 0.0, true));
+    assert_eq!((none.dimension(), none.coordinate(0), none.is_finite()), (0, 0.0, true));
 }
 
 #[test]
@@ -180,8 +180,8 @@ fn sites_have_the_coordinates_and_the_blocks_of_powers() {
     let sites: Sites<Site> = power.0.into_iter().collect();
     assert_eq!((sites.dimension(), sites.len()), (12, 4));
     for i in 0..12 {
-        assert_eq!(sites.entry(i), power.coordinate(i));
-        assert_eq!(sites.block_of(i), Power::<Site, 4>::block(i));
+        assert_eq!(sites.coordinate(i), power.coordinate(i));
+        assert_eq!(sites.block(i), power.block(i));
     }
     assert_eq!(sites.into_inner(), power.0);
 }

@@ -238,7 +238,7 @@ impl<T: Real> SitesHamiltonian<Vector3<T>> for HeisenbergLattice {
 
     fn differential_into(&self, s: &Covector<Sites<Vector3<T>>>, dh: &mut Sites<Vector3<T>>) {
         if [s.0.len(), dh.len()] != [self.count(); 2] {
-            return dh.set_entries(|_| T::from_f64(f64::NAN));
+            return dh.set_coordinates(|_| T::from_f64(f64::NAN));
         }
         self.for_rows(&s.0, dh, |_, fields| fields.iter_mut().for_each(|field| *field = -*field));
     }
@@ -256,7 +256,7 @@ impl<T: Real> VectorField<T> for HeisenbergLattice {
     /// Writes the rates ds_i/dt. They are NaN if s has another number of spins.
     fn at_into(&self, s: &Self::Point, rate: &mut Self::Point) {
         if [s.0.len(), rate.0.len()] != [self.count(); 2] {
-            return rate.set_entries(|_| T::from_f64(f64::NAN));
+            return rate.set_coordinates(|_| T::from_f64(f64::NAN));
         }
         self.for_rows(&s.0, &mut rate.0, |spins, fields| {
             fields.iter_mut().zip(spins).for_each(|(field, spin)| *field = spin.cross(field));

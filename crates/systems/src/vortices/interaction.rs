@@ -2,7 +2,7 @@
 
 use crate::error::{SystemError, require_finite};
 use core::f64::consts::PI;
-use lie_poisson::{Real, Vector};
+use lie_poisson::{Real, State};
 use nalgebra::Vector3;
 
 /// Refuses a strength that is not finite, or is so near zero that its reciprocal is not finite.
@@ -36,8 +36,8 @@ pub(crate) fn add_differential<T: Real>(
         for j in 0..i {
             let x_j = x(j);
             let inverse = T::from_f64(-0.25 / PI) / (-x_i.dot(&x_j) + 1.0);
-            velocity[i].add_scaled(inverse * strengths[j], &x_j);
-            velocity[j].add_scaled(inverse * strengths[i], &x_i);
+            velocity[i].add_multiple(inverse * strengths[j], &x_j);
+            velocity[j].add_multiple(inverse * strengths[i], &x_i);
         }
     }
 }

@@ -160,7 +160,7 @@ impl<T: Real> SitesHamiltonian<Vector3<T>> for ManyVortices {
     /// Writes dh/dm_i: for few vortices by one evaluation for each pair, for many on SIMD lanes and threads.
     fn differential_into(&self, m: &Covector<Sites<Vector3<T>>>, dh: &mut Sites<Vector3<T>>) {
         if [m.0.len(), dh.len()] != [self.strengths.len(); 2] {
-            return dh.set_entries(|_| T::from_f64(f64::NAN));
+            return dh.set_coordinates(|_| T::from_f64(f64::NAN));
         }
         if m.0.len() < MANY || !self.differential_on_lanes(&m.0, dh) {
             dh.set_zero();

@@ -162,10 +162,10 @@ mod tests {
         casimirs_hold(&body, [&start, &turned], 0.1);
         for i in 0..6 {
             let mut last = start;
-            last.set_entry(i, start.coordinate(i) * (1.0 + 1e-9));
+            last.set_coordinate(i, start.coordinate(i) * (1.0 + 1e-9));
             assert!(refuses(|| casimirs_hold(&body, [&start, &last], 0.1)), "{i}");
             casimirs_hold(&body, [&start, &last], 1e4);
-            last.set_entry(i, f64::NAN);
+            last.set_coordinate(i, f64::NAN);
             assert!(refuses(|| casimirs_hold(&body, [&start, &last], 1e4)), "{i}");
         }
         let (before, after) =

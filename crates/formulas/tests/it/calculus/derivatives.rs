@@ -2,7 +2,7 @@
 
 use crate::support::{FORMULAS, POINTS, formula, point};
 use lie_poisson::{
-    DualNumber, Hamiltonian, LiePoisson, Se3, Se3Dual, So3, Vector, differential,
+    DualNumber, Hamiltonian, LiePoisson, Se3, Se3Dual, So3, State, Vector, differential,
     hessian_by_dual_numbers,
 };
 use lie_poisson_formulas::{Formula, FormulaHamiltonian, Problem};

@@ -2,7 +2,7 @@
 
 use crate::support::{FORMULAS, POINTS, formula, heavy_top, point};
 use lie_poisson::{
-    DefaultLanes, InstructionSet, LaneTask, Lanes, Se3Dual, StorageOver, TaskOver,
+    DefaultLanes, InstructionSet, LaneTask, Lanes, Se3Dual, State, StorageOver, TaskOver,
     UnfusedWorkspace, Vector, Width, dispatch, dispatch_unfused,
 };
 use lie_poisson_formulas::{Formula, Problem};

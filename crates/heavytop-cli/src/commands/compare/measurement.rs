@@ -182,7 +182,7 @@ impl Measure<'_> {
         let (mut last, start) = (*self.start, AnyState::of(self.start));
         for sample in integrator.trajectory(&start, step)?.take(self.steps as usize + 1) {
             match sample {
-                Ok(sample) => last = Vector::from_coordinates(|i| sample.momentum.entry(i)),
+                Ok(sample) => last = Vector::from_coordinates(|i| sample.momentum.coordinate(i)),
                 Err(failure) => return Ok(Err(failure)),
             }
             visit(&last);

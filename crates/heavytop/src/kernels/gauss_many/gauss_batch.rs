@@ -8,7 +8,7 @@ use collective_integrators::{
     RungeKutta, SchemeError, Tableau, lagrange_polynomial,
 };
 use core::ops::Range;
-use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, Vector, Width};
+use lie_poisson::{InstructionSet, Lanes, Mask, MissingInstructions, Se3Dual, State, Width};
 use momentum_map::DualQuaternions;
 
 /// The collective Gauss method with S stages, of order 2S, for many tops with separate parameters.

@@ -12,14 +12,14 @@ use collective_integrators::{
     Collective, CollectiveWorkspace, Compensated, Integrator, RungeKutta, SchemeError,
     StageWorkspace, Start, Step, StepError,
 };
-use lie_poisson::{InstructionSet, MissingInstructions, Pair, Se3Dual, Vector, Width, dispatch};
+use lie_poisson::{InstructionSet, MissingInstructions, Pair, Se3Dual, State, Width, dispatch};
 use momentum_map::LiftError;
 
 /// The general integrator of the same method.
 type General = Compensated<Collective<RungeKutta, SpinorRealisation, HeavyTop>>;
 
 /// The state (z, e): a point and its rounding error.
-type State = Pair<SpinorPoint, SpinorPoint>;
+type CompensatedSpinor = Pair<SpinorPoint, SpinorPoint>;
 
 /// The collective Gauss method of a [`HeavyTop`] with 1 to 8 stages, of order 2 to 16.
 ///
@@ -153,10 +153,10 @@ impl CollectiveGauss {
     #[cold]
     fn rescue(
         &self,
-        state: &State,
+        state: &CompensatedSpinor,
         step: f64,
         workspace: &mut CollectiveGaussWorkspace,
-    ) -> Result<Step<State>, StepError> {
+    ) -> Result<Step<CompensatedSpinor>, StepError> {
         workspace.history.forget();
         let next = self.general.step(state, step, &mut workspace.general)?;
         Ok(Step { iterations: MOST + next.iterations, ..next })
@@ -174,7 +174,7 @@ fn fastest(stages: usize) -> InstructionSet {
 }
 
 impl Integrator for CollectiveGauss {
-    type State = State;
+    type State = CompensatedSpinor;
     type Momentum = Se3Dual;
     type Workspace = CollectiveGaussWorkspace;
 

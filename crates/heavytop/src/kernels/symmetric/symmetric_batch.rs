@@ -9,7 +9,7 @@ use collective_integrators::{
 };
 use core::ops::Range;
 use lie_poisson::{
-    Covector, InstructionSet, Lanes, Mask, MissingInstructions, Pair, Se3Dual, Vector, Width,
+    Covector, InstructionSet, Lanes, Mask, MissingInstructions, Pair, Se3Dual, State, Width,
 };
 
 /// The largest squared angles, rad², of a flow and of a step, for the longest polynomials.

@@ -4,7 +4,7 @@ use collective_integrators::{
     Collective, Direction, Events, Integrator, RungeKutta, SchemeError, Start, StepError,
 };
 use heavytop::{Body, CollectiveGauss, HeavyTop, Invariant, SpinorRealisation, WithAttitude};
-use lie_poisson::{InstructionSet, Se3Dual, Vector, larger};
+use lie_poisson::{InstructionSet, Se3Dual, State, Vector, larger};
 use momentum_map::FibreSymmetry;
 use nalgebra::Vector3;
 use proptest::prelude::*;

@@ -3,7 +3,7 @@
 use collective_integrators::{AnyState, Start};
 use heavytop::methods::{Formulation, Method, SchemeName};
 use heavytop::{CollectiveGauss, HeavyTop, TopMidpoint};
-use lie_poisson::{InstructionSet, Se3Dual, Vector, larger};
+use lie_poisson::{InstructionSet, Se3Dual, State, Vector, larger};
 use nalgebra::Vector3;
 
 const STEP: f64 = 0.02;

@@ -9,7 +9,9 @@ use heavytop::{
     HeavyTop, ReducedMidpoint, RotorSplitting, SpinorRealisation, SymmetricTopSplitting,
     TopMidpoint, Turning, WithAttitude, attitude_of_vertical,
 };
-use lie_poisson::{Hamiltonian, LiePoisson, Pair, PoissonSpace, Quaternion, Se3, Se3Dual, Vector};
+use lie_poisson::{
+    Hamiltonian, LiePoisson, Pair, PoissonSpace, Quaternion, Se3, Se3Dual, State, Vector,
+};
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 

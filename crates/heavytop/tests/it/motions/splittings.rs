@@ -53,7 +53,7 @@ where
         let vector = space.hamiltonian_vector::<f64>(&z, &covector);
         let mut pushed = Point::<P>::zero();
         for (i, column) in columns.iter().enumerate() {
-            pushed.add_scaled(vector.coordinate(i), column);
+            pushed.add_multiple(vector.coordinate(i), column);
         }
         let there = space.hamiltonian_vector::<f64>(&after, &Vector::basis(row));
         worst = larger(worst, (pushed - there).max_abs());

@@ -2,7 +2,7 @@
 
 use collective_integrators::{Collective, RungeKutta, Start};
 use heavytop::{HeavyTop, SpinorRealisation, WithAttitude, attitude_of_vertical};
-use lie_poisson::{Se3Dual, Vector};
+use lie_poisson::{Se3Dual, State, Vector};
 use momentum_map::{Lift, PoissonMap};
 use nalgebra::{Vector2, Vector3};
 

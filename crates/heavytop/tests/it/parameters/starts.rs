@@ -9,7 +9,7 @@ use heavytop::{
     CollectiveGauss, GaussBatch, HeavyTop, MidpointBatch, ReducedMidpoint, RotorSplitting,
     SpinorRealisation, SymmetricTopBatch, SymmetricTopSplitting, TopMidpoint, WithAttitude,
 };
-use lie_poisson::{LiePoisson, Se3, Se3Dual, Vector};
+use lie_poisson::{LiePoisson, Se3, Se3Dual, State, Vector};
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
 

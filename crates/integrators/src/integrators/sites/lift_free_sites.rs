@@ -287,7 +287,7 @@ where
         if let Some(temporaries) = self.scheme.temporaries(storage) {
             q.give(temporaries);
         }
-        if !course.end.all_finite() {
+        if !course.end.is_finite() {
             course.steps = 0;
             return Err(StepError::NotFinite);
         }

@@ -184,7 +184,7 @@ where
         SphericalWorkspace { pool }: &mut Self::Workspace,
     ) -> Result<usize, StepError> {
         let Step { point: mut end, iterations } = self.end(w, step, pool)?;
-        let finite = end.all_finite();
+        let finite = end.is_finite();
         if finite {
             w.move_from(&mut end);
         }

@@ -24,13 +24,13 @@ enum FaultyScheme {
 /// Returns z with `little` added to its first coordinate.
 fn shifted<V: State>(z: &V, little: f64) -> V {
     let mut shifted = z.clone();
-    shifted.set_entry(0, z.entry(0) + little);
+    shifted.set_coordinate(0, z.coordinate(0) + little);
     shifted
 }
 
 /// Returns the largest coordinate of a vector, over all lanes.
 fn largest<V: State>(z: &V) -> f64 {
-    (0..z.dimension()).fold(0.0, |largest, i| larger(largest, z.entry(i).max_abs()))
+    (0..z.dimension()).fold(0.0, |largest, i| larger(largest, z.coordinate(i).max_abs()))
 }
 
 impl Scheme for FaultyScheme {

@@ -156,7 +156,7 @@ fn points_stay_near_the_origins_of_their_fibres() {
     let z: Sites<_> =
         (1..5).map(|i| momentum_map::Cotangent::new(spin(i), Covector(spin(i + 3)))).collect();
     fn near(z: &impl State<Scalar = f64>) -> f64 {
-        (0..z.dimension()).map(|i| z.entry(i).abs()).fold(0.0, larger)
+        (0..z.dimension()).map(|i| z.coordinate(i).abs()).fold(0.0, larger)
     }
     let (mut moved, mut workspace) = (z.clone(), gauss.workspace());
     let energy = Bodies.value(&gauss.momentum(&z));
@@ -190,7 +190,7 @@ fn another_number_of_sites_is_an_error() {
             dh: &mut Sites<Vector3<f64>>,
         ) {
             let value = if s.0.len() == 3 { 0.0 } else { f64::NAN };
-            dh.set_entries(|_| value);
+            dh.set_coordinates(|_| value);
         }
     }
     let midpoint = CollectiveSites::new(RungeKutta::implicit_midpoint(), HOPF, Three);

@@ -122,7 +122,7 @@ fn it_is_a_symmetric_poisson_map_of_order_two() {
             let vector = space().hamiltonian_vector::<f64>(&w, &covector);
             let mut pushed = W::zero();
             for (i, column) in columns.iter().enumerate() {
-                pushed.add_scaled(vector.coordinate(i), column);
+                pushed.add_multiple(vector.coordinate(i), column);
             }
             let there = space().hamiltonian_vector::<f64>(&after, &Vector::basis(row));
             worst = larger(worst, (pushed - there).max_abs());

@@ -34,7 +34,7 @@ fn start() -> Momentum<So3> {
 }
 
 fn coordinates<V: State<Scalar = f64>>(v: &V) -> Vec<f64> {
-    (0..v.dimension()).map(|i| v.entry(i)).collect()
+    (0..v.dimension()).map(|i| v.coordinate(i)).collect()
 }
 
 /// Checks single steps, many steps, the first sample and a run that is resumed.
@@ -132,15 +132,15 @@ fn blocks_are_those_of_the_type() {
     // What comes after the third block counts as the fourth, and more than 12 coordinates are on the heap.
     type Five = Pair<Pair<Two, Two>, Vector1<f64>>;
     let v = AnyState::of(&Five::from_coordinates(|i| i as f64));
-    assert_eq!((0..7).map(|i| v.block_of(i)).collect::<Vec<_>>(), [0, 1, 1, 2, 3, 3, 3]);
+    assert_eq!((0..7).map(|i| v.block(i)).collect::<Vec<_>>(), [0, 1, 1, 2, 3, 3, 3]);
     assert_eq!(v.as_slice(), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
     assert_eq!(v.zeros_like().as_slice(), [0.0; 7]);
     let mut long = AnyState::from_slice(&[1.0; 40]);
     long.add_multiple(2.0, &AnyState::from_slice(&[0.5; 40]));
-    assert!(long.as_slice() == [2.0; 40] && long.blocks() == 1 && long.entry(40) == 0.0);
-    long.set_entry(40, 1.0);
+    assert!(long.as_slice() == [2.0; 40] && long.blocks() == 1 && long.coordinate(40) == 0.0);
+    long.set_coordinate(40, 1.0);
     assert_eq!(AnyState::from_slice(&[0.0; 0]).blocks(), 1);
-    assert!(long.all_finite() && !AnyState::from_slice(&[f64::NAN]).all_finite());
+    assert!(long.is_finite() && !AnyState::from_slice(&[f64::NAN]).is_finite());
 }
 
 /// Methods by name are compositions, of one substep where nothing is composed: a step of the base to the last bit.

@@ -38,7 +38,7 @@ fn heap(m: &Spins<3>) -> Many {
 /// Asserts equal coordinates.
 fn assert_same<V: State<Scalar = f64>, W: State<Scalar = f64>>(v: &V, w: &W) {
     assert_eq!(v.dimension(), w.dimension());
-    (0..v.dimension()).for_each(|i| assert_eq!(v.entry(i), w.entry(i), "coordinate {i}"));
+    (0..v.dimension()).for_each(|i| assert_eq!(v.coordinate(i), w.coordinate(i), "coordinate {i}"));
 }
 
 /// Asserts that steps by value and in place, and those of both integrators, have the same bits.
@@ -169,7 +169,8 @@ fn chaos<I: TangentIntegrator>(integrator: &I, start: &<I as Integrator>::State)
     let last = spectrum.nth(30).unwrap().unwrap();
     let mut numbers = last.exponents.to_vec();
     let flow = spectrum.flow();
-    numbers.extend(flow.tangents().iter().flat_map(|v| (0..v.dimension()).map(|i| v.entry(i))));
+    numbers
+        .extend(flow.tangents().iter().flat_map(|v| (0..v.dimension()).map(|i| v.coordinate(i))));
     let [v, w, ..] = flow.tangents();
     numbers.push(smaller_alignment_index(&[v.clone(), w.clone()]));
     numbers

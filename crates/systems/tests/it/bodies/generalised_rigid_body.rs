@@ -73,7 +73,7 @@ fn moments_that_are_not_positive_are_refused() {
     let (flat, mut generator) =
         (GeneralisedRigidBody::new(vec![1.0, 2.0]).unwrap(), LargeSkewHermitian::zeros(2));
     flat.generator_into(&LargeSkewHermitian::zeros(3), &mut generator);
-    assert!(!generator.all_finite());
+    assert!(!generator.is_finite());
     // Moments at the ends of the range: a finite rate, or a refusal.
     let large = GeneralisedRigidBody::new(vec![1e308; 3]).unwrap();
     assert!(large.energy(&large.momentum(|_, _| 1.0)) > 0.0);

@@ -66,7 +66,7 @@ pub fn generator<F: IsospectralField>(
             let (mut pairs, mut size) = (Vec::new(), SMALLEST);
             for i in 0..w.dimension() {
                 let mut v = w.zeros_like();
-                v.set_entry(i, larger(w.norm(), unit));
+                v.set_coordinate(i, larger(w.norm(), unit));
                 let [after, before] = [1.0, -1.0].map(|sign| c * energy(&moved(&w, sign, &v)));
                 size = larger(size, larger(after.abs(), before.abs()));
                 pairs.push((b.scalar_product(&v), 0.5 * (after - before)));

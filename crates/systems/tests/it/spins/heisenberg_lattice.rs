@@ -177,7 +177,7 @@ fn parameters_are_checked() {
     let other = Covector(Sites::new(vec![Vector3::x(); 7]));
     assert!(
         SitesHamiltonian::<Vector3<f64>>::value(&lattice(), &other).is_nan()
-            && !lattice().at(&other).all_finite()
+            && !lattice().at(&other).is_finite()
     );
     assert_eq!(lattice().cells(), [2; 3]);
     // Each of the two has another number of spins once.

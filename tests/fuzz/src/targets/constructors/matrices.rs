@@ -31,7 +31,7 @@ fn isospectral<I: Integrator<f64, State = LargeSkewHermitian>>(
     });
     let mut workspace = integrator.workspace();
     if integrator.step_in_place(&mut w, step, &mut workspace).is_ok() {
-        assert!((0..w.dimension()).all(|i| w.entry(i).is_finite()), "{step:e}: {w:?}");
+        assert!((0..w.dimension()).all(|i| w.coordinate(i).is_finite()), "{step:e}: {w:?}");
         let after = w.norm();
         let round_off = 1e-11 + 1e-12 * before.max(rate(&w));
         // Where another matrix of this norm turns by many radians, Q need only be unitary to 1e-3.

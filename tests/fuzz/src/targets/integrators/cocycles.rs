@@ -8,7 +8,7 @@ use collective_integrators::Collective;
 use core::cell::Cell;
 use lie_poisson::{
     Cocycle, CocycleExtension, Contragredient, Diagonal, Differential, Hamiltonian,
-    InfinitesimalAdjoint, LieAlgebra, LiePoisson, Momentum, Real, Representation, So3,
+    InfinitesimalAdjoint, LieAlgebra, LiePoisson, Momentum, Real, Representation, So3, State,
     StructureConstants, Vector, larger,
 };
 use momentum_map::{PoissonMap, Side, clebsch_realisation};

@@ -41,7 +41,7 @@ pub(super) fn steps_hold<I: Start>(
     let mut compared = false;
     for sample in samples {
         let Sample { momentum, .. } = &sample;
-        assert!(momentum.all_finite(), "{start:?}, {step:e}: {momentum:?}");
+        assert!(momentum.is_finite(), "{start:?}, {step:e}: {momentum:?}");
         compared |= holds(&before, &sample);
         before = sample.momentum;
     }
