@@ -44,7 +44,7 @@
 //! | H = h∘M and its vector field | [`CollectiveHamiltonian`] |
 //! | a conserved quantity of a symmetry | [`NoetherQuantity`] |
 //! | a point z with M(z) = μ | [`Lift`] |
-//! | a lift, a gauge or a symmetry for a map type from another crate | [`Realisation`], with [`Fibres`], [`SectionOf`] and [`SymmetryOf`] |
+//! | a lift, a gauge or a symmetry for a map type from another crate | [`Realisation`], with [`Fibres`] of your own |
 //! | the symmetry along the fibres of M | [`FibreSymmetry`] |
 //! | collective dynamics without a lift | [`Multipliers`]: [`Quaternions`], [`DualQuaternions`], [`ComplexMatrices`] |
 //! | so(3)∗ from C² | [`HOPF`] |
@@ -137,7 +137,7 @@ pub use phase_spaces::hopf_fibration::{hopf_map, hopf_pull_back, hopf_section, p
 pub use phase_spaces::symplectic::{SymplecticComplexSpace, SymplecticSpace};
 pub use realisations::{
     Fibres, HOPF, HopfRealisation, PARTICLE, ParticleRealisation, PlaneForm, Realisation,
-    SectionOf, Sl2Realisation, SymmetryOf, UnitaryRealisation, unitary_realisation,
+    Sl2Realisation, UnitaryRealisation, unitary_realisation,
 };
 
 pub use lie_poisson;

@@ -7,7 +7,7 @@ use crate::maps::fibre::LiftError;
 use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetPoint};
 use crate::maps::recentring::{Both, Far, RecentringWorkspace, Sizes, within};
 use crate::phase_spaces::cotangent::Cotangent;
-use crate::realisations::{Fibres, Realisation, SectionOf};
+use crate::realisations::{Fibres, Realisation};
 use lie_poisson::{
     DualNumber, Mask, Pair, Real, Representation, RepresentedElement, State, Vector,
     euclidean_norm, nearest_power_of_two,
@@ -184,6 +184,29 @@ impl ClebschSection {
 const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
 
 impl<R: Representation> Fibres<ClebschMap<R>> for ClebschSection {
+    /// Returns (q, p) with J(q, p) = μ and |q| = |p|, and the origin for μ = 0.
+    ///
+    /// # Errors
+    /// Returns [`LiftError`] if μ is not finite, or if the best point found has an image that differs from μ by more
+    /// than 10⁻¹¹ |μ|. Then μ is not in the image of J, or only at the edge of the image, or more copies of V are
+    /// needed.
+    fn lift<T: Real>(
+        &self,
+        map: &ClebschMap<R>,
+        mu: &TargetPoint<ClebschMap<R>, T>,
+    ) -> Result<SourcePoint<ClebschMap<R>, T>, LiftError> {
+        let mu = LiftError::unless_finite(*mu, "μ", mu.max_abs(), "μ must be finite")?;
+        let (z, residual) = self.find(map, &mu);
+        if !residual.at_most(T::from_f64(ACCEPTED)).all() {
+            let quantity = "μ − J(q, p), relative to μ";
+            let reason = "μ is not in the image of the Clebsch map; more copies, or an extension, may reach it";
+            return Err(LiftError { quantity, value: residual.max_abs(), reason });
+        }
+        let range = Pair(z, map.apply::<T>(&z));
+        let reason = "μ must be so small that the terms of J(q, p) are numbers";
+        Ok(LiftError::unless_finite(range, "μ", mu.max_abs(), reason)?.0)
+    }
+
     /// Returns a point near the origin on the fibre through z, with sizes of q and p within a factor 16 of each other.
     /// Coordinates on which J does not depend are not larger than others.
     ///
@@ -227,31 +250,6 @@ fn balanced<Q: Vector>(z: &Cotangent<Q>) -> Cotangent<Q> {
     let some = ratio.at_most(one * f64::MAX).and((one * f64::MIN_POSITIVE).at_most(ratio));
     let a = Real::select(apart.and(some), nearest_power_of_two(ratio.sqrt()), one);
     Cotangent { q: z.q.scaled(a), p: z.p.scaled(one / a) }
-}
-
-impl<R: Representation> SectionOf<ClebschMap<R>> for ClebschSection {
-    /// Returns (q, p) with J(q, p) = μ and |q| = |p|, and the origin for μ = 0.
-    ///
-    /// # Errors
-    /// Returns [`LiftError`] if μ is not finite, or if the best point found has an image that differs from μ by more
-    /// than 10⁻¹¹ |μ|. Then μ is not in the image of J, or only at the edge of the image, or more copies of V are
-    /// needed.
-    fn lift<T: Real>(
-        &self,
-        map: &ClebschMap<R>,
-        mu: &TargetPoint<ClebschMap<R>, T>,
-    ) -> Result<SourcePoint<ClebschMap<R>, T>, LiftError> {
-        let mu = LiftError::unless_finite(*mu, "μ", mu.max_abs(), "μ must be finite")?;
-        let (z, residual) = self.find(map, &mu);
-        if !residual.at_most(T::from_f64(ACCEPTED)).all() {
-            let quantity = "μ − J(q, p), relative to μ";
-            let reason = "μ is not in the image of the Clebsch map; more copies, or an extension, may reach it";
-            return Err(LiftError { quantity, value: residual.max_abs(), reason });
-        }
-        let range = Pair(z, map.apply::<T>(&z));
-        let reason = "μ must be so small that the terms of J(q, p) are numbers";
-        Ok(LiftError::unless_finite(range, "μ", mu.max_abs(), reason)?.0)
-    }
 }
 
 /// Returns for each coordinate of (q, p) whether J(q, p) depends on it.

@@ -9,6 +9,6 @@ mod unitary;
 
 pub use hopf::{HOPF, HopfRealisation};
 pub use particle::{PARTICLE, ParticleRealisation};
-pub use realisation::{Fibres, Realisation, SectionOf, SymmetryOf};
+pub use realisation::{Fibres, Realisation};
 pub use sl2::{PlaneForm, Sl2Realisation};
 pub use unitary::{UnitaryRealisation, unitary_realisation};

@@ -5,11 +5,42 @@ use crate::maps::poisson_map::{PoissonMap, SourcePoint, TargetDifferential, Targ
 use crate::maps::recentring::RecentringWorkspace;
 use lie_poisson::{Differential, Real};
 
-/// A description of the fibres of a Poisson map M, in a type separate from the map.
+/// A description of the fibres of a Poisson map M, in a type separate from the map: a section, and where they are known
+/// the symmetry along the fibres and a gauge.
 ///
-/// Implement it for a type of your own, together with [`SectionOf`], [`SymmetryOf`] or both. The implementation is
-/// empty if no gauge is needed. [`Realisation`] then attaches the type to the map.
+/// Implement it for a type of your own. [`Realisation`] then attaches the type to the map.
 pub trait Fibres<M: PoissonMap>: Clone {
+    /// The number of one-parameter groups of the symmetry, as in [`FibreSymmetry`]; by default 0, for fibres whose
+    /// symmetry is not described.
+    const COUNT: usize = 0;
+
+    /// Returns a point z with M(z) = μ, as [`Lift`] does.
+    ///
+    /// # Errors
+    /// Returns [`LiftError`] if μ is not in the image of M or not finite, in any SIMD lane (one of several
+    /// trajectories in a register).
+    fn lift<T: Real>(
+        &self,
+        map: &M,
+        mu: &TargetPoint<M, T>,
+    ) -> Result<SourcePoint<M, T>, LiftError>;
+
+    /// Returns the flow for parameter s of the group with the given index, or z for `index` ≥ `COUNT`.
+    fn flow<T: Real>(
+        &self,
+        _map: &M,
+        _index: usize,
+        _s: T,
+        z: &SourcePoint<M, T>,
+    ) -> SourcePoint<M, T> {
+        *z
+    }
+
+    /// Returns the momentum of the group with the given index, or zero for `index` ≥ `COUNT`.
+    fn momentum<T: Real>(&self, _map: &M, _index: usize, _z: &SourcePoint<M, T>) -> T {
+        T::zero()
+    }
+
     /// Returns the displacement [`PoissonMap::gauge`] along the fibre, by default that of the map.
     #[inline]
     fn gauge<T: Real>(&self, map: &M, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
@@ -27,43 +58,10 @@ pub trait Fibres<M: PoissonMap>: Clone {
     }
 }
 
-/// A section of a Poisson map M: a choice of z with M(z) = μ, as in [`Lift`].
-pub trait SectionOf<M: PoissonMap>: Fibres<M> {
-    /// Returns a point z with M(z) = μ.
-    ///
-    /// # Errors
-    /// Returns [`LiftError`] if μ is not in the image of M or not finite, in any SIMD lane (one of several
-    /// trajectories in a register).
-    fn lift<T: Real>(
-        &self,
-        map: &M,
-        mu: &TargetPoint<M, T>,
-    ) -> Result<SourcePoint<M, T>, LiftError>;
-}
-
-/// The symmetry along the fibres of a Poisson map M, as in [`FibreSymmetry`].
-pub trait SymmetryOf<M: PoissonMap>: Fibres<M> {
-    /// The number of one-parameter groups.
-    const COUNT: usize;
-
-    /// Returns the flow for parameter s of the group with the given index, or z for `index` ≥ `COUNT`.
-    fn flow<T: Real>(
-        &self,
-        map: &M,
-        index: usize,
-        s: T,
-        z: &SourcePoint<M, T>,
-    ) -> SourcePoint<M, T>;
-
-    /// Returns the momentum of the group with the given index, or zero for `index` ≥ `COUNT`.
-    fn momentum<T: Real>(&self, map: &M, index: usize, z: &SourcePoint<M, T>) -> T;
-}
-
 /// A Poisson map M with the fibres that F describes.
 ///
 /// A crate cannot implement [`Lift`] for the `MomentumMap` of its own action, since it owns neither the trait nor the
-/// type constructor. It can implement [`Fibres`] and [`SectionOf`] for a type of its own, and attach that type to the
-/// map. The result is a Poisson map as M is, with the lift and the symmetry of F. The law suites check both.
+/// type constructor. It can implement [`Fibres`] for a type of its own, and attach that type to the map. The result is a Poisson map as M is, with the lift and the symmetry of F. The law suites check both.
 ///
 /// The methods of the traits are generic over the scalar, which a closure cannot be. So F is a type with methods, not
 /// a collection of closures.
@@ -75,15 +73,14 @@ pub trait SymmetryOf<M: PoissonMap>: Fibres<M> {
 /// use lie_poisson::{Covector, Pair, Real, SO2OnR2};
 /// use momentum_map::{
 ///     AffineAction, Cotangent, Fibres, Lift, LiftError, MomentumMap, Opposite, PoissonMap,
-///     Realisation, SectionOf, SourcePoint, TargetPoint,
+///     Realisation, SourcePoint, TargetPoint,
 /// };
 /// use nalgebra::{Vector1, Vector2};
 /// type Map = MomentumMap<Opposite<AffineAction<SO2OnR2>>>;
 ///
 /// #[derive(Clone)]
 /// struct Lines; // the fibres are the lines q + sp
-/// impl Fibres<Map> for Lines {}
-/// impl SectionOf<Map> for Lines {
+/// impl Fibres<Map> for Lines {
 ///     fn lift<T: Real>(
 ///         &self,
 ///         _: &Map,
@@ -178,13 +175,13 @@ impl<M: PoissonMap, F: Fibres<M>> PoissonMap for Realisation<M, F> {
     }
 }
 
-impl<M: PoissonMap, F: SectionOf<M>> Lift for Realisation<M, F> {
+impl<M: PoissonMap, F: Fibres<M>> Lift for Realisation<M, F> {
     fn lift<T: Real>(&self, mu: &TargetPoint<M, T>) -> Result<SourcePoint<M, T>, LiftError> {
         self.fibres.lift::<T>(&self.map, mu)
     }
 }
 
-impl<M: PoissonMap, F: SymmetryOf<M>> FibreSymmetry for Realisation<M, F> {
+impl<M: PoissonMap, F: Fibres<M>> FibreSymmetry for Realisation<M, F> {
     const COUNT: usize = F::COUNT;
 
     fn flow<T: Real>(&self, index: usize, s: T, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {

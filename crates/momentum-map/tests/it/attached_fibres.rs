@@ -24,6 +24,8 @@ fn along<T: Real>(z: &SourcePoint<Map, T>) -> SourcePoint<Map, T> {
 }
 
 impl Fibres<Map> for Lines {
+    const COUNT: usize = 1;
+
     fn gauge<T: Real>(&self, _: &Map, z: &SourcePoint<Map, T>) -> SourcePoint<Map, T> {
         along(z)
     }
@@ -36,9 +38,7 @@ impl Fibres<Map> for Lines {
     ) -> SourcePoint<Map, T> {
         *z + along(z).scaled(T::from_f64(4.0))
     }
-}
 
-impl SectionOf<Map> for Lines {
     fn lift<T: Real>(
         &self,
         _: &Map,
@@ -49,10 +49,6 @@ impl SectionOf<Map> for Lines {
         let z = Cotangent::new(q, Covector(gamma * T::from_f64(-self.sign)));
         LiftError::unless_finite(z, "Γ", 0.0, "Γ must be different from 0")
     }
-}
-
-impl SymmetryOf<Map> for Lines {
-    const COUNT: usize = 1;
 
     fn flow<T: Real>(
         &self,
@@ -69,11 +65,19 @@ impl SymmetryOf<Map> for Lines {
     }
 }
 
-/// A description of fibres with every method left to its default.
+/// A description of fibres with every method left to its default, but for the lift.
 #[derive(Clone)]
 struct Silent;
 
-impl Fibres<Map> for Silent {}
+impl Fibres<Map> for Silent {
+    fn lift<T: Real>(
+        &self,
+        map: &Map,
+        mu: &TargetPoint<Map, T>,
+    ) -> Result<SourcePoint<Map, T>, LiftError> {
+        Lines { sign: 1.0 }.lift(map, mu)
+    }
+}
 
 #[test]
 fn attached_fibres_obey_the_laws() {
@@ -100,6 +104,7 @@ fn silent_fibres_leave_the_map_as_it_is() {
     let map = Realisation::new(MAP, Silent);
     for z in samples() {
         assert_eq!(map.gauge::<f64>(&z), MAP.gauge::<f64>(&z));
+        assert_eq!((map.flow(0, 0.5, &z), map.momentum(0, &z)), (z, 0.0));
         let spaces = &mut (RecentringWorkspace::default(), RecentringWorkspace::default());
         let far = Cotangent::new(z.q + z.p.0 * 1e4, z.p);
         let near = map.recentred::<f64>(&far, &mut spaces.0);
