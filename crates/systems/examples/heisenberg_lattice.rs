@@ -87,24 +87,24 @@ type Deviations = [f64; 4];
 
 fn run(
     lattice: &HeisenbergLattice,
-    s: &mut Spins,
+    start: &Spins,
     (step, steps): (f64, usize),
-) -> Result<Deviations, Box<dyn Error>> {
+) -> Result<(Deviations, Spins), Box<dyn Error>> {
     let midpoint = SphericalMidpoint::new(lattice.clone());
-    let mut workspace = Integrator::<f64>::workspace(&midpoint);
+    let mut run = midpoint.trajectory_from(start.clone(), step);
     let up = |s: &Spins| s.0.iter().map(|spin| spin.z).sum::<f64>();
-    let (energy, total) = (lattice.value(s), up(s));
+    let (energy, total) = (lattice.value(start), up(start));
     let [mut change, mut length, mut along, mut speed] = [0.0; 4];
     for _ in 0..steps {
-        let rates = lattice.at(s);
+        let rates = lattice.at(run.state());
         speed = larger(speed, rates.0.iter().map(|rate| rate.norm_squared()).sum());
-        midpoint.step_in_place(s, step, &mut workspace)?;
+        let s = run.advance(1)?;
         change = larger(change, (lattice.value(s) - energy).abs());
         let longest = s.0.iter().map(|spin| (spin.norm() - 1.0).abs()).fold(0.0, larger);
         length = larger(length, longest);
         along = larger(along, (up(s) - total).abs());
     }
-    Ok([change, length, along, speed])
+    Ok(([change, length, along, speed], run.state().clone()))
 }
 
 /// Draws the spins at two times.
@@ -173,11 +173,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let constants = [exchange, anisotropy, field];
     let lattice = lattice(size, constants)?;
     let first = lattice.state(|[x, y, _]| start(size, [x, y]));
-    let (mut last, rate) =
-        (first.clone(), 8.0 * exchange.abs() + 2.0 * anisotropy.abs() + field.abs());
+    let rate = 8.0 * exchange.abs() + 2.0 * anisotropy.abs() + field.abs();
     let steps = ((end * rate / ANGLE).ceil() as usize).max(1);
     let step = end / steps as f64;
-    let [change, length, along, speed] = run(&lattice, &mut last, (step, steps))?;
+    let ([change, length, along, speed], last) = run(&lattice, &first, (step, steps))?;
     if let Some(path) = &arguments.picture {
         draw(path, size, constants, [end, step], [&first, &last])?;
     }

@@ -79,18 +79,18 @@ type Paths = Vec<Vec<Vector3<f64>>>;
 
 fn run(table: &VortexTable, steps: usize) -> Result<(Deviations, Paths), Box<dyn Error>> {
     let vortices = ManyVortices::new(table.strengths.clone())?;
-    let mut m = vortices.momentum(table.positions.iter().copied())?;
+    let m = vortices.momentum(table.positions.iter().copied())?;
     let midpoint = SphericalMidpoint::new(vortices.clone());
-    let mut workspace = Integrator::<f64>::workspace(&midpoint);
     let moment = |m: &Covector<Sites<Vector3<f64>>>| m.0.iter().sum::<Vector3<f64>>();
     let (energy, start) = (vortices.value(&m), moment(&m));
     let mut most = Deviations { energy: 0.0, distance: 0.0, moment: 0.0, rate: 0.0 };
     let mut paths = vec![table.positions.clone()];
+    let mut run = midpoint.trajectory_from(m, STEP);
     for _ in 0..steps {
-        midpoint.step_in_place(&mut m, STEP, &mut workspace)?;
-        let x: Vec<_> = vortices.positions(&m).collect();
-        most.energy = larger(most.energy, (vortices.value(&m) - energy).abs());
-        most.moment = larger(most.moment, (moment(&m) - start).norm());
+        let m = run.advance(1)?;
+        let x: Vec<_> = vortices.positions(m).collect();
+        most.energy = larger(most.energy, (vortices.value(m) - energy).abs());
+        most.moment = larger(most.moment, (moment(m) - start).norm());
         most.rate = larger(most.rate, largest_rate(&table.strengths, &x));
         for x in &x {
             most.distance = larger(most.distance, (x.norm() - 1.0).abs());

@@ -47,12 +47,10 @@ use rayon::slice::ParallelSliceMut;
 ///     .with_exchange([0, 1, 0], 1.0)?
 ///     .with_exchange([0, 0, 1], 1.0)?;
 /// let wave = |angle: f64| Vector3::new(0.6 * angle.cos(), 0.6 * angle.sin(), 0.8);
-/// let mut spins = lattice.state(|[x, _, _]| wave(TAU * x as f64 / 8.0));
+/// let start = lattice.state(|[x, _, _]| wave(TAU * x as f64 / 8.0));
 /// let midpoint = SphericalMidpoint::new(lattice.clone());
-/// let mut workspace = Integrator::<f64>::workspace(&midpoint);
-/// for _ in 0..1000 {
-///     midpoint.step_in_place(&mut spins, 0.002, &mut workspace)?;
-/// }
+/// let mut run = midpoint.trajectory_from(start, 0.002);
+/// let spins = run.advance(1000)?;
 /// let omega = 0.8 * 2.0 * (1.0 - (TAU / 8.0).cos());
 /// assert!((spins.0[3] - wave(TAU * 3.0 / 8.0 - omega * 2.0)).norm() < 1e-6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -42,13 +42,10 @@ use rayon::slice::ParallelSliceMut;
 ///     let (sin, cos) = (i as f64 * std::f64::consts::TAU / count as f64).sin_cos();
 ///     Vector3::new(0.6 * cos, 0.6 * sin, 0.8)
 /// };
-/// let mut m = vortices.momentum((0..count).map(on_parallel))?;
+/// let start = vortices.momentum((0..count).map(on_parallel))?;
 /// let midpoint = SphericalMidpoint::new(vortices.clone());
-/// let mut workspace = Integrator::<f64>::workspace(&midpoint);
-/// for _ in 0..100 {
-///     midpoint.step_in_place(&mut m, 0.01, &mut workspace)?;
-/// }
-/// assert!(vortices.positions(&m).all(|x| (x.z - 0.8).abs() < 1e-13));
+/// let mut run = midpoint.trajectory_from(start, 0.01);
+/// assert!(vortices.positions(run.advance(100)?).all(|x| (x.z - 0.8).abs() < 1e-13));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]

@@ -330,11 +330,50 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
         self.item()
     }
 
+    /// Makes `steps` steps in place, without samples, and returns the state after them. The next item is the sample one
+    /// step later.
+    ///
+    /// The steps are bit-identical to those of the iterator. This is how a run on the heap allocates nothing, and how a
+    /// loop of your own needs no workspace:
+    /// ```
+    /// use collective_integrators::{Direct, Integrator, RungeKutta, from_fn};
+    /// use nalgebra::Vector2;
+    /// let pendulum = from_fn(|z: &Vector2<f64>| Vector2::new(z.y, -z.x.sin()));
+    /// let gauss = Direct::new(RungeKutta::gauss(2)?, pendulum);
+    /// let start = Vector2::new(1.0, 0.0);
+    /// let mut run = gauss.trajectory_from(start, 0.1);
+    /// let mut largest = 0.0_f64;
+    /// for _ in 0..20 {
+    ///     largest = largest.max(run.advance(5)?.y.abs());
+    /// }
+    /// assert!(largest > 0.9);
+    /// assert_eq!(*run.state(), gauss.after_from(start, 0.1, 100)?.state);
+    /// assert_eq!(run.next().transpose()?.map(|sample| sample.step), Some(101));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Returns the errors of the iterator, and keeps the state before the step that failed.
+    pub fn advance(&mut self, steps: u64) -> Result<&I::State, IntegrationError> {
+        match self.progress {
+            Progress::Failed(error) => return Err(error),
+            Progress::First if steps > 0 => self.reach_next_item()?,
+            Progress::First | Progress::After => {}
+        }
+        self.skip_items(steps)?;
+        Ok(&self.state)
+    }
+
+    /// Returns the state after the steps made.
+    pub fn state(&self) -> &I::State {
+        &self.state
+    }
+
     /// Advances to the next item, and returns it.
     #[inline]
     fn item(&mut self) -> Result<SampleOf<I, T>, IntegrationError> {
         let is_first = matches!(self.progress, Progress::First);
-        self.advance()?;
+        self.reach_next_item()?;
         let mut sample = self.sample();
         if let (true, Some(given)) = (is_first, &self.given) {
             sample.momentum.clone_from(given);
@@ -344,7 +383,7 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
 
     /// Advances the state to that of the next item.
     #[inline]
-    fn advance(&mut self) -> Result<(), IntegrationError> {
+    fn reach_next_item(&mut self) -> Result<(), IntegrationError> {
         let outcome = match self.progress {
             Progress::First => StepError::check_start(&self.state, self.step),
             Progress::After => self.make_step(),
@@ -376,7 +415,7 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
     #[inline]
     fn skip_items(&mut self, n: u64) -> Result<(), IntegrationError> {
         let Some(others) = n.checked_sub(1) else { return Ok(()) };
-        self.advance()?;
+        self.reach_next_item()?;
         let end = self.made.saturating_add(others);
         if end > self.made {
             let Self { integrator, state, workspace, .. } = self;
@@ -385,7 +424,7 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
         }
         let uncountable = others > end - self.made;
         self.made = end;
-        if uncountable { self.advance() } else { Ok(()) }
+        if uncountable { self.reach_next_item() } else { Ok(()) }
     }
 
     /// Makes every further item this error, and returns it.

@@ -61,6 +61,14 @@ fn keeps_the_bits<I: Integrator<State: PartialEq>>(
     let run = || integrator.trajectory_from(start.clone(), 0.1);
     let all: Vec<_> = run().take(STEPS as usize + 1).map(Result::unwrap).collect();
     assert!(all.last().is_some_and(|sample| sample.state == end));
+    for &middle in middles {
+        let mut parts = run();
+        assert!(*parts.advance(0).unwrap() == *start && *parts.state() == *start);
+        assert!(*parts.advance(middle).unwrap() == all[middle as usize].state);
+        assert!(*parts.advance(STEPS - 1 - middle).unwrap() != end);
+        let last = parts.next().unwrap().unwrap();
+        assert!(last.step == STEPS && last.state == end);
+    }
     for &n in intervals {
         let expected = all.iter().step_by(n);
         let found = run().every(NonZero::new(n).unwrap()).map(Result::unwrap);
@@ -248,4 +256,20 @@ fn the_last_number_of_a_step_ends_every_stride() {
             assert_eq!(numbers(items.next()), expected, "{n} {i}");
         }
     }
+}
+
+/// The field is not a number from 2.7 on, where stages of the sixth step lie.
+#[test]
+fn a_run_that_fails_keeps_the_state_before_the_step() {
+    let field = from_fn(|x: &Vector1<f64>| x.map(|x| if x < 2.7 { 1.0 } else { f64::NAN }));
+    let rk4 = Direct::new(RungeKutta::rk4(), field);
+    let mut run = rk4.trajectory_from(Vector1::zeros(), 0.5);
+    let fifth = rk4.after_from(Vector1::zeros(), 0.5, 5).unwrap().state;
+    assert!(run.advance(4).is_ok() && *run.state() != fifth);
+    let error = run.advance(10).unwrap_err();
+    assert_eq!((error.step, error.source, *run.state()), (6, StepError::NotFinite, fifth));
+    assert_eq!(run.advance(0), Err(error));
+    assert_eq!(run.next(), Some(Err(error)));
+    let refused = rk4.trajectory_from(Vector1::zeros(), f64::NAN).advance(1).map(|x| x.x);
+    assert!(matches!(refused.map_err(|e| e.source), Err(StepError::StepSize { .. })));
 }
