@@ -71,13 +71,16 @@
 //!
 //! # Features and versions
 //!
-//! The crate has no features. The oldest supported compiler is Rust 1.89.
+//! The feature `isospectral`, which is on by default, has the systems on large matrices: [`GeneralisedRigidBody`],
+//! [`Zeitlin`] and what belongs to them. Without it the crate depends on half as many crates. The oldest supported
+//! compiler is Rust 1.89.
 //!
 //! # Related crates
 //!
 //! [`lie_poisson`] holds the brackets, [`momentum_map`] the Poisson maps, and [`collective_integrators`] the
 //! integrators, trajectories and diagnostics. These and [`nalgebra`] appear in the public interface and are
 //! re-exported. The crate `heavytop` holds the tops.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod error;
 mod spaces;
@@ -88,7 +91,9 @@ mod spin_chain;
 mod spin_lattice;
 mod kida_vortex;
 mod movable_base;
+#[cfg(feature = "isospectral")]
 mod rigid_body;
+#[cfg(feature = "isospectral")]
 mod matrix_hydrodynamics;
 pub mod prelude;
 
@@ -97,14 +102,9 @@ pub use error::SystemError;
 pub use gyrostat::heavy_gyrostat::Gyrostat;
 pub use kida_vortex::elliptical_patch::KidaVortex;
 pub use kida_vortex::lorentz_algebra::So21;
-pub use matrix_hydrodynamics::quantised_laplacian::QuantisedLaplacian;
-pub use matrix_hydrodynamics::spherical_harmonic::associated_legendre;
-pub use matrix_hydrodynamics::vorticity_coefficients::VorticityCoefficients;
-pub use matrix_hydrodynamics::zeitlin::Zeitlin;
 pub use movable_base::top_on_base::{
     MovableBaseAlgebra, MovableBaseDual, MovableBaseElement, MovableBaseTop,
 };
-pub use rigid_body::generalised_rigid_body::GeneralisedRigidBody;
 pub use spaces::spin_space::{SpinSpace, Spins};
 pub use spin_chain::heisenberg_chain::HeisenbergChain;
 pub use spin_lattice::heisenberg_lattice::HeisenbergLattice;
@@ -113,9 +113,17 @@ pub use spin_lattice::vibrating_lattice::{SpinLattice, SpinLatticeSpace};
 pub use vortices::many_vortices::ManyVortices;
 pub use vortices::point_vortices::PointVortices;
 
+#[cfg(feature = "isospectral")]
+pub use matrix_hydrodynamics::{
+    quantised_laplacian::QuantisedLaplacian, spherical_harmonic::associated_legendre,
+    vorticity_coefficients::VorticityCoefficients, zeitlin::Zeitlin,
+};
+#[cfg(feature = "isospectral")]
+pub use rigid_body::generalised_rigid_body::GeneralisedRigidBody;
+
 pub use collective_integrators;
-pub use isospectral_flows;
-pub use isospectral_flows::num_complex;
+#[cfg(feature = "isospectral")]
+pub use isospectral_flows::{self, num_complex};
 pub use lie_poisson;
 pub use momentum_map;
 pub use nalgebra;

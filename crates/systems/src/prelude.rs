@@ -18,14 +18,17 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#[cfg(feature = "isospectral")]
+pub use crate::{GeneralisedRigidBody, VorticityCoefficients, Zeitlin};
 pub use crate::{
-    GeneralisedRigidBody, Gyrostat, HeisenbergChain, HeisenbergLattice, KidaVortex, Kirchhoff,
-    LatticeMidpoint, ManyVortices, MovableBaseTop, PointVortices, So21, SpinLattice,
-    SpinLatticeSpace, SpinSpace, Spins, SystemError, VorticityCoefficients, Zeitlin,
+    Gyrostat, HeisenbergChain, HeisenbergLattice, KidaVortex, Kirchhoff, LatticeMidpoint,
+    ManyVortices, MovableBaseTop, PointVortices, So21, SpinLattice, SpinLatticeSpace, SpinSpace,
+    Spins, SystemError,
 };
 pub use collective_integrators::{
     Collective, Integrator, LiftFree, RungeKutta, SphericalMidpoint, Start,
 };
+#[cfg(feature = "isospectral")]
 pub use isospectral_flows::{ExponentialMidpoint, GaussMagnus};
 pub use lie_poisson::{
     Automatic, Covector, Hamiltonian, LiePoisson, Pair, PoissonSpace, Power, RealSpace, Se3Dual,
