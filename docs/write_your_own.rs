@@ -37,9 +37,6 @@ impl LieGroup for Poincare {
     fn algebra(&self) -> Self {
         Poincare
     }
-    fn identity<T: Real>(&self) -> Vector3<T> {
-        Vector3::zeros()
-    }
     fn compose<T: Real>(&self, g: &Vector3<T>, h: &Vector3<T>) -> Vector3<T> {
         let moved = boost(g.x, h.yz());
         Vector3::new(g.x + h.x, g.y + moved.x, g.z + moved.y)

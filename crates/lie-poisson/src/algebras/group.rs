@@ -75,8 +75,10 @@ pub trait LieGroup: Clone {
     /// Returns the Lie algebra 𝔤 as a value.
     fn algebra(&self) -> Self::Algebra;
 
-    /// Returns the identity e of the group.
-    fn identity<T: Real>(&self) -> Self::Element<T>;
+    /// Returns the identity e of the group, by default exp(0).
+    fn identity<T: Real>(&self) -> Self::Element<T> {
+        self.exp::<T>(&Vector::zero())
+    }
 
     /// Returns the product g h.
     fn compose<T: Real>(&self, g: &Self::Element<T>, h: &Self::Element<T>) -> Self::Element<T>;
