@@ -6,7 +6,7 @@
 
 use collective_integrators::{
     AlternatingSubsteps, BatchIntegrator, Collective, Direct, HamiltonianField, IntegrationError,
-    Integrator, Laned, LiftFree, RungeKutta, Splitting, StagesInLanes, Start,
+    Integrator, Laned, LiftFree, Observed, RungeKutta, Splitting, StagesInLanes, Start,
 };
 use heavytop::{
     CollectiveGauss, HeavyTop, MidpointBatch, ReducedMidpoint, SpinorRealisation,
@@ -15,6 +15,7 @@ use heavytop::{
 use lie_poisson::{InstructionSet, LiePoisson, Se3, Se3Dual, Width};
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
+use std::cell::Cell;
 use std::error::Error;
 use std::hint::black_box;
 
@@ -120,6 +121,19 @@ fn main() -> Result<(), Box<dyn Error>> {
             let gauss = Collective::new(RungeKutta::gauss(8)?, SpinorRealisation, top);
             one(&StagesInLanes::widest(gauss).with_instructions(set)?, 0.25, steps)
         }
+        // Observers that count: what they cost beside the same without them.
+        "observed-gauss-8" | "observed-gauss-8-lanes" => {
+            let (made, count) = (Cell::new(0), |made: &Cell<u64>| made.set(made.get() + 1));
+            let scheme = Observed::new(RungeKutta::gauss(8)?, || count(&made));
+            let gauss = Collective::new(scheme, SpinorRealisation, top);
+            match kernel.ends_with("lanes") {
+                true => {
+                    let lanes = StagesInLanes::widest(gauss).with_instructions(set)?;
+                    one(&Observed::new(lanes, || count(&made)), 0.25, steps)
+                }
+                false => one(&Observed::new(gauss, || count(&made)), 0.25, steps),
+            }
+        }
         "lift-free-gauss-4" | "lift-free-gauss-4-lanes" => {
             let gauss = LiftFree::new(RungeKutta::gauss(4)?, DualQuaternions, top);
             match kernel.ends_with("lanes") {
@@ -136,6 +150,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             let field =
                 HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top };
             one(&Direct::new(RungeKutta::rk4(), field), 0.01, steps)
+        }
+        "observed-rk4" => {
+            let made = Cell::new(0);
+            let field =
+                HamiltonianField { space: LiePoisson::minus(Se3::default()), hamiltonian: top };
+            let observed = Observed::new(field, || made.set(made.get() + 1));
+            one(&Direct::new(RungeKutta::rk4(), observed), 0.01, steps)
         }
         "splitting-4" => {
             let (flows, four) =
