@@ -1,6 +1,6 @@
 //! `heavytop animate`: the page, its frames, and what it needs to be shown.
 
-use crate::program::Folder;
+use crate::program::{Folder, heavytop};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use heavytop::{HeavyTop, Invariant};
@@ -188,7 +188,7 @@ fn of_a_run_that_fails_a_page_of_its_beginning_is_kept() {
 fn no_half_page_is_kept_where_there_is_no_room() {
     let folder = Folder::new();
     // Files of at most 40 or 20 KB: shells count in blocks of 1024 or of 512 bytes.
-    let heavytop = env!("CARGO_BIN_EXE_heavytop");
+    let heavytop = heavytop();
     let script = format!("trap '' XFSZ; ulimit -f 40; exec {heavytop} animate --out a.html");
     let mut command = std::process::Command::new("sh");
     let done = command.args(["-c", &script]).current_dir(folder.path(".")).output().unwrap();

@@ -1,6 +1,6 @@
 //! `heavytop section`: the points, the files, and what is refused.
 
-use crate::program::{Folder, numbers};
+use crate::program::{Folder, heavytop, numbers};
 use heavytop::{HeavyTop, Invariant};
 use lie_poisson::Se3Dual;
 use nalgebra::Vector3;
@@ -275,7 +275,7 @@ fn without_memory_a_section_fails_and_goes_on_once_there_is_some() {
     assert_eq!(whole.code(), 0, "{}", whole.stderr());
     // The program with arguments, in so many KB of address space.
     let within = |room: u32, arguments: &str| {
-        let heavytop = env!("CARGO_BIN_EXE_heavytop");
+        let heavytop = heavytop();
         let script = format!("ulimit -v {room}; exec {heavytop} {arguments}");
         let mut command = std::process::Command::new("sh");
         command.env("RAYON_NUM_THREADS", "2");

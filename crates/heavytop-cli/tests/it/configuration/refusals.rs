@@ -1,6 +1,6 @@
 //! `heavytop simulate`: what it refuses, and how runs fail.
 
-use crate::program::{Folder, numbers};
+use crate::program::{Folder, heavytop, numbers};
 
 /// Wrong configurations, and texts in the messages about them.
 const WRONG: &[(&str, &str)] = &[
@@ -303,7 +303,7 @@ fn a_full_disk_is_reported() {
 #[test]
 #[cfg(target_os = "linux")]
 fn help_that_cannot_be_written_is_a_failure() {
-    let heavytop = env!("CARGO_BIN_EXE_heavytop");
+    let heavytop = heavytop();
     for arguments in ["help", "--help", "--version", "help sweep", "completions bash"] {
         let script = format!("{heavytop} {arguments} >/dev/full");
         let done = std::process::Command::new("sh").args(["-c", &script]).output().unwrap();

@@ -1,13 +1,13 @@
 //! The manners of the command line: standard output, closed pipes, messages for machines, narrow terminals, manual pages.
 #![cfg(unix)]
 
-use crate::program::{Finished, Folder, numbers};
+use crate::program::{Finished, Folder, heavytop, numbers};
 use serde_json::Value;
 use std::process::Command;
 
 /// Runs a line of a shell in the folder, where `heavytop` is the program.
 fn in_shell(folder: &Folder, line: &str) -> Finished {
-    let line = format!("heavytop() {{ {} \"$@\"; }}; {line}", env!("CARGO_BIN_EXE_heavytop"));
+    let line = format!("heavytop() {{ {} \"$@\"; }}; {line}", heavytop());
     Finished::of(
         Command::new("sh").args(["-c", &line]).current_dir(folder.path(".")).output().unwrap(),
     )
@@ -132,7 +132,7 @@ const COMMANDS: [&str; 11] = [
 fn help_fits_the_columns() {
     let folder = Folder::new();
     let in_columns = |columns: &str, arguments: &[&str]| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_heavytop"));
+        let mut command = Command::new(heavytop());
         Finished::of(command.args(arguments).env("COLUMNS", columns).output().unwrap()).stdout()
     };
     let mut requests: Vec<Vec<&str>> =

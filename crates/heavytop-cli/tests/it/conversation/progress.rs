@@ -1,6 +1,6 @@
 //! The progress bar, as a terminal shows it.
 
-use crate::program::{Folder, in_terminal};
+use crate::program::{Folder, heavytop, in_terminal};
 
 /// Returns the lines that a terminal of 80 columns shows one after the other, without control sequences.
 fn drawn(said: &str) -> Vec<String> {
@@ -24,12 +24,12 @@ fn drawn(said: &str) -> Vec<String> {
 #[test]
 #[ignore = "long"]
 fn a_bar_shows_from_the_first_second_on_and_fits_the_terminal() {
-    let heavytop = env!("CARGO_BIN_EXE_heavytop");
-    let long = "--set integrator.scheme=gauss-16 --set integrator.end=1e4 --set output.every=1000";
-    // Each takes seconds, after some for the estimate of the error.
+    let heavytop = heavytop();
+    let long = "--set integrator.scheme=gauss-16 --set integrator.end=1e5 --set output.every=1000";
+    // Each takes seconds, also in a release.
     for (command, kind) in [
-        (format!("simulate {long} --out a.csv"), "/500k steps"),
-        ("sweep --set integrator.end=20 --out map --threads 1".into(), "/1024 tops"),
+        (format!("simulate {long} --out a.csv"), "/5.0M steps"),
+        ("sweep --set integrator.end=30 --out map --threads 1".into(), "/1024 tops"),
     ] {
         let folder = Folder::new();
         // By exec, so that no shell is left that reports the end by a signal in the line of the bar.

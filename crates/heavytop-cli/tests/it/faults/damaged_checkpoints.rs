@@ -1,7 +1,7 @@
 //! Checkpoints and rows that are cut, altered or of another run: each is refused, or the run goes on to the same bytes.
 #![cfg(unix)]
 
-use crate::program::{Finished, Folder};
+use crate::program::{Finished, Folder, heavytop};
 use crate::writing::SYSTEM;
 use std::process::Command;
 
@@ -30,7 +30,7 @@ impl Interrupted {
         std::fs::remove_file(folder.path(out)).unwrap();
         let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$@\"");
         let mut command = Command::new("sh");
-        command.args(["-c", &script, "sh", env!("CARGO_BIN_EXE_heavytop"), "simulate"]);
+        command.args(["-c", &script, "sh", heavytop(), "simulate"]);
         command.args(["--out", out, "--checkpoint-interval", "0"]).args(run);
         let done = Finished::of(command.current_dir(folder.path(".")).output().unwrap());
         assert_eq!(done.code(), 1, "{}", done.stderr());

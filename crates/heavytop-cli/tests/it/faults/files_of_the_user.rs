@@ -1,7 +1,7 @@
 //! Files of the user: no command destroys one that it reads, or replaces one that the program has not written.
 #![cfg(unix)]
 
-use crate::program::{Finished, Folder};
+use crate::program::{Finished, Folder, heavytop};
 use crate::writing::{WRITING, Writing, contents};
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -150,13 +150,13 @@ fn a_table_standard_input_and_a_checkpoint_are_inputs() {
 
     folder.write("fed.csv", "integrator.end = 0.1\n");
     let before = contents(&folder);
-    let mut command = Command::new(env!("CARGO_BIN_EXE_heavytop"));
+    let mut command = Command::new(heavytop());
     command.args(["simulate", "-", "--out", "fed.csv", "--force"]).current_dir(folder.path("."));
     command.stdin(fs::File::open(folder.path("fed.csv")).unwrap());
     let run = Finished::of(command.stderr(Stdio::piped()).output().unwrap());
     assert_input_is_kept(&run, &folder, &before);
     // Standard output that goes on where the configuration ends.
-    let mut command = Command::new(env!("CARGO_BIN_EXE_heavytop"));
+    let mut command = Command::new(heavytop());
     command.args(["simulate", "fed.csv", "--out", "-", "--force"]).current_dir(folder.path("."));
     let appended = fs::File::options().append(true).open(folder.path("fed.csv")).unwrap();
     command.stdout(appended).stderr(Stdio::piped());

@@ -1,7 +1,7 @@
 //! Files that cannot grow, and what a run without room must leave.
 #![cfg(unix)]
 
-use crate::program::{Finished, Folder};
+use crate::program::{Finished, Folder, heavytop};
 use crate::writing::{WRITING, Writing, contents};
 use std::process::Command;
 
@@ -9,7 +9,7 @@ use std::process::Command;
 fn in_little_room(folder: &Folder, writing: &Writing, blocks: u32) -> Finished {
     let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$@\"");
     let mut command = Command::new("sh");
-    command.args(["-c", &script, "sh", env!("CARGO_BIN_EXE_heavytop")]).args(writing.arguments);
+    command.args(["-c", &script, "sh", heavytop()]).args(writing.arguments);
     Finished::of(command.current_dir(folder.path(".")).output().unwrap())
 }
 

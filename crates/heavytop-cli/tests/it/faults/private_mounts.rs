@@ -1,7 +1,7 @@
 //! Mounts that only one command sees.
 #![cfg(unix)]
 
-use crate::program::Finished;
+use crate::program::{Finished, heavytop};
 use std::path::Path;
 use std::process::Command;
 
@@ -13,7 +13,7 @@ pub fn with_mount(folder: &Path, mount: &str, then: &str, arguments: &[&str]) ->
     let script = format!("{mount} && echo mounted && {{ {then}\n}}");
     let run = |name_spaces: &str| {
         let mut command = Command::new("unshare");
-        command.args([name_spaces, "sh", "-c", &script, "sh", env!("CARGO_BIN_EXE_heavytop")]);
+        command.args([name_spaces, "sh", "-c", &script, "sh", heavytop()]);
         let done = command.args(arguments).current_dir(folder).output();
         done.ok().map(Finished::of).filter(|run| run.stdout().starts_with("mounted\n"))
     };

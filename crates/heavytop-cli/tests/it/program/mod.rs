@@ -4,7 +4,16 @@
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Child, Command, Output, Stdio};
+use std::sync::OnceLock;
 use tempfile::TempDir;
+
+/// Returns the program under test: that of the profile of the tests, or the one that the variable `HEAVYTOP_PROGRAM` names,
+/// since a release makes long runs in a fraction of the time.
+pub fn heavytop() -> &'static str {
+    static PROGRAM: OnceLock<String> = OnceLock::new();
+    let compiled = || env!("CARGO_BIN_EXE_heavytop").to_owned();
+    PROGRAM.get_or_init(|| std::env::var("HEAVYTOP_PROGRAM").unwrap_or_else(|_| compiled()))
+}
 
 /// A folder that is removed with its contents when the test ends.
 pub struct Folder(TempDir);
@@ -67,7 +76,7 @@ impl Folder {
     }
 
     fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_heavytop"));
+        let mut command = Command::new(heavytop());
         command.args(arguments).current_dir(self.0.path());
         command
     }

@@ -1,7 +1,7 @@
 //! `heavytop simulate` after an interruption: the run continues, to the same bytes.
 #![cfg(unix)]
 
-use crate::program::Folder;
+use crate::program::{Folder, heavytop};
 use std::process::{Child, Command};
 use std::thread::sleep;
 use std::time::Duration;
@@ -143,7 +143,7 @@ pub fn interrupted_run(out: &str, more: &str) -> Folder {
 
 /// Runs `heavytop simulate` where files cannot have more than a million bytes.
 fn in_little_room(folder: &Folder, arguments: &str) -> (Option<i32>, String) {
-    let heavytop = env!("CARGO_BIN_EXE_heavytop");
+    let heavytop = heavytop();
     // Shells count in blocks of 512 or of 1024 bytes.
     let script = format!("trap '' XFSZ; ulimit -f 1000; exec {heavytop} simulate {arguments}");
     let mut command = Command::new("sh");

@@ -1,7 +1,7 @@
 //! `heavytop section` and `heavytop sweep` after an interruption: they continue, to the same bytes.
 #![cfg(unix)]
 
-use crate::program::{Folder, is_about_accuracy};
+use crate::program::{Folder, heavytop, is_about_accuracy};
 use std::path::PathBuf;
 use std::process::{Child, Command};
 use std::thread::sleep;
@@ -199,7 +199,7 @@ fn ctrl_c_ends_a_run_whose_tiles_stay_also_twice() {
 fn a_run_without_room_goes_on_once_there_is_some() {
     for case in [SECTION, SWEEP, SYSTEM_SWEEP] {
         let folder = case.folder();
-        let heavytop = env!("CARGO_BIN_EXE_heavytop");
+        let heavytop = heavytop();
         // There is room for the identity and for tiles, but not for the table: files of 40 or 20 KB, since shells
         // count in blocks of 1024 or of 512 bytes.
         let run = format!("{heavytop} {} a.toml --out cut", case.command);

@@ -1,6 +1,6 @@
 //! `--dry-run`, and the question before outputs that are absurdly large.
 
-use crate::program::{Folder, in_terminal};
+use crate::program::{Folder, heavytop, in_terminal};
 
 #[test]
 fn a_dry_run_says_what_a_run_would_write_and_writes_nothing() {
@@ -104,7 +104,7 @@ fn on_a_terminal_there_is_a_question() {
     for (answer, begins) in [("n\n", false), ("\n", false), ("y\n", true)] {
         let folder = Folder::new();
         // With the answer yes the run is interrupted by the time limit.
-        let heavytop = env!("CARGO_BIN_EXE_heavytop");
+        let heavytop = heavytop();
         let limited = format!("exec timeout --foreground 2 {heavytop} {}", LARGE.join(" "));
         let Some(said) = in_terminal(&folder, &limited, answer) else { return };
         assert!(said.contains(" are free; ") && said.contains("go on? [y/N] "), "{said}");

@@ -1,7 +1,7 @@
 //! Commands that fail: for their files, their numbers, their threads, or what other runs have left.
 
 use super::refused;
-use crate::program::{Finished, Folder};
+use crate::program::{Finished, Folder, heavytop};
 use heavytop_cli::Error;
 use heavytop_cli::commands::animate::animate;
 use heavytop_cli::commands::bench::{Bench, BenchOptions, bench};
@@ -125,7 +125,7 @@ fn without_threads(folder: &Folder) -> [String; 2] {
     let fails = |arguments: &str, code, expected: &str| {
         let script = format!("ulimit -v 1000000; exec \"$0\" sweep --out swept {arguments}");
         let mut command = Command::new("sh");
-        command.args(["-c", &script, env!("CARGO_BIN_EXE_heavytop")]);
+        command.args(["-c", &script, heavytop()]);
         command.env("RAYON_NUM_THREADS", "1024").current_dir(folder.path("."));
         let run = Finished::of(command.output().unwrap());
         assert!(run.stderr().starts_with(expected), "{}", run.stderr());
