@@ -182,6 +182,8 @@ fn what_another_run_writes_at_the_end_is_left_alone_and_the_tiles_stay() {
     assert!(run.stderr().ends_with(expected), "{}", run.stderr());
     other.kill().unwrap();
     other.wait().unwrap();
+    // Rows of `simulate` would be refused, as a table of another kind; whether there are some depends on the moment.
+    std::fs::remove_file(folder.path("made/section.csv.partial")).unwrap();
     let resumed = folder.heavytop(&["section", "a.toml", "--out", "made", "--resume"]);
     assert_eq!((resumed.code(), resumed.complaints()), (0, String::new()));
 }
