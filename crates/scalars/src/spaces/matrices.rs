@@ -70,11 +70,6 @@ macro_rules! operations_by_operators {
         }
 
         #[cfg_attr(optimised, inline(always))]
-        fn measure_difference(&self, x: &Self, largest: &mut Self::Blocks, sum: &mut T) {
-            (*self - *x).measure(largest, sum);
-        }
-
-        #[cfg_attr(optimised, inline(always))]
         fn is_finite(&self) -> bool {
             self.max_norm().at_most(T::from_f64(f64::MAX)).all()
         }

@@ -37,7 +37,7 @@ use core::fmt::Debug;
 /// let z = moved(&y, &x, &mut Default::default());
 /// assert_eq!(z, Pair(Vector1::new(2.0), Vector2::new(2.0, 3.0)));
 /// ```
-/// A state of your own on the heap needs nine items, and two more to reuse its storage; the other methods have
+/// A state of your own on the heap needs eleven items, and two more to reuse its storage; the other methods have
 /// defaults:
 /// ```
 /// use generic_scalars::State;
