@@ -1,8 +1,19 @@
 //! The operations of states in place, against the same operations on their coordinates.
 
-use generic_scalars::{Blocks, Covector, Pair, Power, Quaternion, Sites, State, Vector};
+use generic_scalars::{
+    Blocks, Covector, Pair, Power, Quaternion, Sites, State, Vector, state_of_parts,
+};
 use nalgebra::{Matrix2, Vector1, Vector2, Vector3};
 use num_complex::Complex;
+
+/// A structure of another crate, as a state by the macro.
+#[derive(Clone, Debug, PartialEq)]
+struct Gyrostat {
+    body: Vector3<f64>,
+    rotor: Vector1<f64>,
+}
+
+state_of_parts!([] Gyrostat, f64, body: Vector3<f64>, rotor: Vector1<f64>);
 
 /// Returns the coordinates of a state.
 fn entries<V: State<Scalar = f64>>(v: &V) -> Vec<f64> {
@@ -39,6 +50,7 @@ fn check<V: State<Scalar = f64>>(like: &V) {
     becomes(&|v| v.add_in_place(&x), &|v, x| v + x);
     becomes(&|v| v.subtract_in_place(&x), &|v, x| v - x);
     becomes(&|v| v.subtract_from(&x), &|v, x| x - v);
+    becomes(&|v| v.negate_in_place(), &|v, _| -v);
     becomes(&|v| v.scale_in_place(1.7), &|v, _| v * 1.7);
     becomes(&|v| v.add_multiple(1.7, &x), &|v, x| v + x * 1.7);
     becomes(&|v| v.replace_where(true, &x), &|_, x| x);
@@ -105,6 +117,7 @@ fn every_state_computes_coordinate_by_coordinate() {
     check(&Sites::new(vec![Vector3::<f64>::zeros(); 5]));
     check(&Covector(Sites::new(vec![Pair(Vector1::<f64>::zeros(), Vector2::<f64>::zeros()); 2])));
     check(&Pair(Sites::new(vec![Vector2::<f64>::zeros(); 3]), Vector3::<f64>::zeros()));
+    check(&Gyrostat { body: Vector3::zeros(), rotor: Vector1::zeros() });
 }
 
 /// A state with the default of every method that has one.
