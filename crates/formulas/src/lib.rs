@@ -68,7 +68,7 @@
 //! | the part of a formula that has no value at a state | [`Formula::checked_value`], [`ValueError`] |
 //! | the Casimirs of an algebra of your own | [`find_casimirs`], [`PolynomialCasimirs`] |
 //! | structure constants from the entries of a table | [`structure_constants`], [`StructureEntry`] |
-//! | an algebra whose dimension is known only when the program runs | [`for_dimension`], [`DimensionTask`] |
+//! | an algebra whose dimension is known only when the program runs | [`structure_table`], [`find_casimirs_of_table`] |
 //!
 //! # Cost
 //!
@@ -103,7 +103,6 @@ mod text;
 mod graphs;
 mod tapes;
 mod hamiltonians;
-mod tables;
 mod casimirs;
 
 pub use names::coordinates::Coordinates;
@@ -121,9 +120,11 @@ pub use hamiltonians::formula_hamiltonian::FormulaHamiltonian;
 pub use hamiltonians::value_error::ValueError;
 
 pub use casimirs::casimir_error::CasimirError;
-pub use casimirs::polynomial_casimirs::{PolynomialCasimirs, find_casimirs};
-pub use tables::any_dimension::{DimensionTask, for_dimension};
-pub use tables::structure_entries::{EntryError, StructureEntry, structure_constants};
+pub use casimirs::polynomial_casimirs::{
+    PolynomialCasimirs, find_casimirs, find_casimirs_of_table,
+};
+pub use casimirs::structure_entries::{EntryError, structure_constants, structure_table};
+pub use lie_poisson::StructureEntry;
 
 /// Compiles and runs the examples of the README.
 #[cfg(doctest)]

@@ -101,7 +101,8 @@ pub use generic_scalars::{
 pub use algebras::algebra::{LieAlgebra, Momentum};
 pub use algebras::group::{AlgebraElement, GroupMomentum, LieGroup};
 pub use algebras::product::{PowerAlgebra, PowerGroup, ProductAlgebra, ProductGroup};
-pub use algebras::structure_constants::{StructureConstants, StructureError};
+pub use algebras::structure_constants::StructureConstants;
+pub use algebras::structure_table::{StructureEntry, StructureError, StructureTable};
 pub use groups::sl2::{SL2, Sl2};
 pub use groups::so2::{SO2, So2};
 pub use groups::so3::{SO3, So3};

@@ -1,8 +1,6 @@
 //! The brackets of basis vectors: [`BracketTable`].
 
-use super::casimir_error::CasimirError;
 use core::ops::{Add, Mul};
-use lie_poisson::{LieAlgebra, State, Vector};
 
 /// A number of a table: a rounded one, or a residue modulo a prime.
 pub(crate) trait Number: Copy + Default + Add<Output = Self> + Mul<Output = Self> {
@@ -14,34 +12,6 @@ impl Number for f64 {
     fn whole(n: u8) -> Self {
         n.into()
     }
-}
-
-/// A structure constant: the coordinate `value` of [e_i, e_j] at e_k.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Constant {
-    pub(crate) i: usize,
-    pub(crate) j: usize,
-    pub(crate) k: usize,
-    pub(crate) value: f64,
-}
-
-/// Returns the structure constants of an algebra that are not zero, those with i > j too.
-pub(crate) fn constants<A: LieAlgebra>(algebra: &A) -> Result<Vec<Constant>, CasimirError> {
-    let dimension = A::Element::<f64>::DIM;
-    let mut all = Vec::new();
-    for (i, j) in (0..dimension).flat_map(|i| (0..dimension).map(move |j| (i, j))) {
-        let bracket = algebra.bracket::<f64>(&Vector::basis(i), &Vector::basis(j));
-        for k in 0..dimension {
-            let value = bracket.coordinate(k);
-            if !value.is_finite() {
-                return Err(CasimirError::NotFinite { i, j });
-            }
-            if value != 0.0 {
-                all.push(Constant { i, j, k, value });
-            }
-        }
-    }
-    Ok(all)
 }
 
 /// The non-zero coordinates of [e_i, e_j].

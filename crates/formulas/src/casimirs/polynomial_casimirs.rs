@@ -1,17 +1,18 @@
 //! The polynomial Casimirs of an algebra: [`find_casimirs`].
 
-use super::bracket_table::{Constant, constants};
 use super::casimir_error::CasimirError;
 use super::exact::recognition::recognised;
 use super::monomials::count;
 use super::numeric::balance::{Scales, shifted};
 use super::numeric::numeric_brackets::{NumericBrackets, NumericRank};
 use super::polynomial::{Polynomial, generic_point};
+use super::structure_entries::constants;
+use super::summands::{Summand, summands};
 use crate::hamiltonians::formula::Formula;
 use crate::names::coordinates::Coordinates;
 use crate::names::parameters::Parameters;
 use crate::names::vocabulary::Vocabulary;
-use lie_poisson::{LieAlgebra, Vector};
+use lie_poisson::{LieAlgebra, StructureEntry, StructureTable, Vector};
 
 /// The largest degree of the Casimirs that are searched for.
 const HIGHEST_DEGREE: u8 = 4;
@@ -26,7 +27,7 @@ const ROUNDING: f64 = 1e-9;
 const INDEPENDENT: f64 = 1e-7;
 
 /// The Casimirs that [`find_casimirs`] found, and how many there are.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct PolynomialCasimirs {
     formulas: Vec<Formula>,
     degrees: Vec<u8>,
@@ -64,7 +65,7 @@ impl PolynomialCasimirs {
         self.independent.saturating_sub(self.formulas.len())
     }
 
-    /// Returns the highest degree that was searched. It is 4, or less if all Casimirs were found before, if there are
+    /// Returns the highest degree that was searched in a summand. It is 4, or less if all Casimirs were found before, if there are
     /// more than 4096 monomials of the next degree (1024 if the structure constants are rounded numbers), or if the next
     /// degree needs too many operations.
     #[must_use]
@@ -83,7 +84,8 @@ impl PolynomialCasimirs {
 
 /// Finds the polynomial Casimirs up to degree 4 of an algebra, from its brackets alone.
 ///
-/// The number of independent Casimirs is dim 𝔤 − r, where r is the rank of the Poisson tensor Λ_ij(μ) = Σ_k c_ijk μ_k
+/// The Casimirs of a direct sum of ideals that basis vectors span are those of the ideals, which are searched one by one. The
+/// number of independent Casimirs is dim 𝔤 − r, where r is the rank of the Poisson tensor Λ_ij(μ) = Σ_k c_ijk μ_k
 /// at a generic point. A polynomial C is a Casimir if {μ_i, C} = 0 for every i, which is linear in its coefficients.
 ///
 /// Structure constants are rounded numbers. If there is a Lie algebra whose constants are fractions, or fractions times
@@ -116,18 +118,68 @@ pub fn find_casimirs<A: LieAlgebra>(
     algebra: &A,
     coordinates: &Coordinates,
 ) -> Result<PolynomialCasimirs, CasimirError> {
-    let dimension = A::Element::<f64>::DIM;
+    search_of((A::Element::<f64>::DIM, &constants(algebra)?), coordinates)
+}
+
+/// Finds the polynomial Casimirs up to degree 4 of an algebra whose dimension is known only when the program runs, as
+/// [`find_casimirs`] does.
+///
+/// # Errors
+/// Returns [`CasimirError`] if the number of names differs from the dimension.
+///
+/// # Example
+/// ```
+/// use lie_poisson_formulas::{Coordinates, StructureEntry, find_casimirs_of_table, structure_table};
+/// // so(3) twice: the Casimirs of a direct sum are those of its summands.
+/// let cyclic = [(0, 1, 2), (1, 2, 0), (2, 0, 1), (3, 4, 5), (4, 5, 3), (5, 3, 4)];
+/// let table = structure_table(6, &cyclic.map(|(i, j, k)| StructureEntry { i, j, k, value: 1.0 }))?;
+/// let found = find_casimirs_of_table(&table, &Coordinates::new().vector("S", 3)?.vector("T", 3)?)?;
+/// let texts: Vec<String> = found.formulas().iter().map(ToString::to_string).collect();
+/// assert_eq!(texts, ["|S|^2", "|T|^2"]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn find_casimirs_of_table(
+    table: &StructureTable,
+    coordinates: &Coordinates,
+) -> Result<PolynomialCasimirs, CasimirError> {
+    search_of((table.dimension(), table.entries()), coordinates)
+}
+
+/// Finds the Casimirs of each summand of an algebra. The dimension is no parameter of a type, so that the search is compiled
+/// once.
+fn search_of(
+    (dimension, constants): (usize, &[StructureEntry]),
+    coordinates: &Coordinates,
+) -> Result<PolynomialCasimirs, CasimirError> {
     let names = coordinates.dimension();
     if names != dimension {
         return Err(CasimirError::WrongDimension { names, dimension });
     }
-    search(&constants(algebra)?, coordinates)
+    let vocabulary = Vocabulary::new(coordinates, &Parameters::new())?;
+    let mut all = PolynomialCasimirs::default();
+    let mut found: Vec<(u8, Formula)> = Vec::new();
+    for Summand { coordinates, constants } in summands(constants, coordinates) {
+        let own = search(&constants, &coordinates)?;
+        all.independent += own.independent;
+        all.degree = all.degree.max(own.degree);
+        all.refused += own.refused;
+        all.gap = match (all.gap, own.gap) {
+            (Some([zero, other]), Some([own_zero, own_other])) => {
+                Some([zero.max(own_zero), other.min(own_other)])
+            }
+            (one, other) => one.or(other),
+        };
+        let in_all_names = own.formulas.iter().filter_map(|f| f.renamed(&vocabulary).ok());
+        found.extend(own.degrees.iter().copied().zip(in_all_names));
+    }
+    found.sort_by_key(|(degree, _)| *degree);
+    (all.degrees, all.formulas) = found.into_iter().unzip();
+    Ok(all)
 }
 
-/// Finds the Casimirs of the algebra with these constants. The dimension is no parameter of a type, so that the search is
-/// compiled once.
+/// Finds the Casimirs of the algebra with these constants.
 fn search(
-    constants: &[Constant],
+    constants: &[StructureEntry],
     coordinates: &Coordinates,
 ) -> Result<PolynomialCasimirs, CasimirError> {
     let dimension = coordinates.dimension();
@@ -157,7 +209,7 @@ fn search(
 
 /// The search for the Casimirs of an algebra.
 struct Search<'a> {
-    constants: &'a [Constant],
+    constants: &'a [StructureEntry],
     coordinates: &'a Coordinates,
     vocabulary: &'a Vocabulary,
     scales: &'a Scales,
@@ -220,7 +272,7 @@ fn apart(mut vector: Vec<f64>, others: &[Vec<f64>]) -> Option<Vec<f64>> {
 
 /// Returns whether `ad∗_ξ μ` = 0 for ξ = dC(μ) at three points, up to rounding, in units of the coordinates: the largest of
 /// the sums Σ_ik c_ijk ξ_i μ_k against the sum over i of the largest Σ_k c_ijk ξ_i μ_k.
-fn is_casimir(constants: &[Constant], casimir: &Formula, scales: &Scales) -> bool {
+fn is_casimir(constants: &[StructureEntry], casimir: &Formula, scales: &Scales) -> bool {
     let dimension = casimir.dimension();
     let size = |rate: &[f64]| {
         let relative = rate.iter().enumerate().map(|(j, rate)| shifted(*rate, -scales.exponent(j)));
@@ -232,7 +284,7 @@ fn is_casimir(constants: &[Constant], casimir: &Formula, scales: &Scales) -> boo
             point.iter().enumerate().map(|(i, x)| shifted(*x, scales.exponent(i))).collect();
         let xi = casimir.differential_at(&mu);
         let mut parts = vec![vec![0.0; dimension]; dimension];
-        for &Constant { i, j, k, value } in constants {
+        for &StructureEntry { i, j, k, value } in constants {
             parts[i][j] += value * xi[i] * mu[k];
         }
         let rate: Vec<f64> =
@@ -244,7 +296,8 @@ fn is_casimir(constants: &[Constant], casimir: &Formula, scales: &Scales) -> boo
 
 #[cfg(test)]
 mod tests {
-    use super::{CasimirError, Scales, constants, is_casimir};
+    use super::{CasimirError, Scales, is_casimir};
+    use crate::casimirs::structure_entries::constants;
     use crate::hamiltonians::formula::Formula;
     use crate::names::named_algebra::NamedAlgebra;
     use crate::names::parameters::Parameters;

@@ -130,6 +130,11 @@ impl Formula {
         Self::of_syntax(syntax, self.names(), 0..0)
     }
 
+    /// Returns the formula of the same text in other names.
+    pub(crate) fn renamed(&self, names: &Vocabulary) -> Result<Self, FormulaError> {
+        Self::of_syntax(self.syntax().clone(), names, 0..0)
+    }
+
     /// Returns the syntax tree.
     pub(super) fn syntax(&self) -> &Syntax {
         &self.0.syntax

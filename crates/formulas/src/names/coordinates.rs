@@ -167,6 +167,27 @@ impl Coordinates {
         &self.fields
     }
 
+    /// Returns the coordinates at the places for which `belongs` is true, under the same names. A vector of which some
+    /// components are missing is left as scalars.
+    pub(crate) fn only(&self, belongs: impl Fn(usize) -> bool) -> Self {
+        let mut fields = Vec::new();
+        let mut start = 0;
+        let mut add = |name: String, dimension: Option<usize>| {
+            fields.push(Field { name, start, dimension });
+            start += dimension.unwrap_or(1);
+        };
+        for field in &self.fields {
+            let own = |i: &usize| belongs(field.start + i);
+            if (0..field.width()).all(|i| own(&i)) {
+                add(field.name.clone(), field.dimension);
+            } else {
+                let kept = field.names().enumerate().filter(|(i, _)| own(i));
+                kept.for_each(|(_, name)| add(name, None));
+            }
+        }
+        Self { fields }
+    }
+
     /// Returns these coordinates followed by others. If some names clash, all names get the suffixes `_1` and `_2`.
     ///
     /// # Errors

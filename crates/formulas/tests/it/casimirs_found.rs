@@ -2,7 +2,8 @@
 
 use lie_poisson::*;
 use lie_poisson_formulas::{
-    CasimirError, Coordinates, NamedAlgebra, StructureEntry, find_casimirs, structure_constants,
+    CasimirError, Coordinates, NamedAlgebra, StructureEntry, find_casimirs, find_casimirs_of_table,
+    structure_constants, structure_table,
 };
 
 /// Returns the Casimirs as text, and how many are missing.
@@ -39,7 +40,7 @@ fn algebras_of_the_library() {
     assert_eq!(named(&Se2::default()), texts(&["|Gamma|^2"]));
     assert_eq!(named(&Sl2), texts(&["alpha^2/4 + beta*gamma"]));
     assert_eq!(named(&RealSpace::<3>), texts(&["p1", "p2", "p3"]));
-    assert_eq!(named(&ProductAlgebra(So3, Se2::default())), texts(&["|Gamma_2|^2", "|Pi_1|^2"]));
+    assert_eq!(named(&ProductAlgebra(So3, Se2::default())), texts(&["|Pi_1|^2", "|Gamma_2|^2"]));
     assert_eq!(named(&SemidirectAlgebra(SU2OnC2)), texts(&["|alpha|^2"]));
     let base = SemidirectAlgebra(Inherited { quotient: SO3OnR3, representation: SO3OnR3 });
     assert_eq!(named(&base), texts(&["|P|^2", "P·Gamma", "|Gamma|^2"]));
@@ -285,18 +286,35 @@ fn as_many_names_as_dimensions() {
 
 /// In 17 dimensions there are 4845 monomials of degree 4, more than are searched, and 969 of degree 3.
 ///
-/// With [a, x] = x, [a, y] = 2y and a centre, y/x² is a Casimir that is no polynomial, so that the search would go on.
+/// With [a, x_j] = j x_j the Casimirs are no polynomials, such as x₂/x₁², so that the search would go on.
 #[test]
 fn the_number_of_monomials_has_a_bound() {
-    let entry = |j, value| StructureEntry { i: 0, j, k: j, value };
-    let names: Vec<String> = (0..17).map(|i| format!("x{i}")).collect();
-    let table = structure_constants::<17>(&[entry(1, 1.0), entry(2, 2.0)]).unwrap();
-    let coordinates = Coordinates::scalars(names.iter().map(String::as_str)).unwrap();
-    let casimirs = find_casimirs(&table, &coordinates).unwrap();
-    assert_eq!((casimirs.formulas().len(), casimirs.missing(), casimirs.degree()), (14, 1, 3));
+    fn searched<const N: usize>() -> (usize, usize, u8) {
+        let entry = |j: usize| StructureEntry { i: 0, j, k: j, value: j as f64 };
+        let names: Vec<String> = (0..N).map(|i| format!("x{i}")).collect();
+        let table = structure_constants::<N>(&(1..N).map(entry).collect::<Vec<_>>()).unwrap();
+        let coordinates = Coordinates::scalars(names.iter().map(String::as_str)).unwrap();
+        let casimirs = find_casimirs(&table, &coordinates).unwrap();
+        (casimirs.formulas().len(), casimirs.missing(), casimirs.degree())
+    }
+    assert_eq!(searched::<17>(), (0, 15, 3));
     // Control: with 16 dimensions and 3876 monomials degree 4 is searched.
-    let table = structure_constants::<16>(&[entry(1, 1.0), entry(2, 2.0)]).unwrap();
-    let coordinates = Coordinates::scalars(names[..16].iter().map(String::as_str)).unwrap();
-    let casimirs = find_casimirs(&table, &coordinates).unwrap();
-    assert_eq!((casimirs.formulas().len(), casimirs.missing(), casimirs.degree()), (13, 1, 4));
+    assert_eq!(searched::<16>(), (0, 14, 4));
+}
+
+/// Sixty-four spins and a centre: as many Casimirs as summands, each in the names of its own coordinates.
+#[test]
+fn a_sum_of_many_algebras() {
+    let cyclic = |n: usize| [(0, 1, 2), (1, 2, 0), (2, 0, 1)].map(|of| (3 * n, of));
+    let entries = (0..64).flat_map(cyclic).map(|(first, (i, j, k))| {
+        let [i, j, k] = [i, j, k].map(|index| first + index);
+        StructureEntry { i, j, k, value: 1.0 }
+    });
+    let table = structure_table(193, &entries.collect::<Vec<_>>()).unwrap();
+    let spins = Coordinates::new().vector("S", 3).unwrap().repeated(64).unwrap();
+    let found = find_casimirs_of_table(&table, &spins.scalar("z").unwrap()).unwrap();
+    assert_eq!((found.formulas().len(), found.missing()), (65, 0));
+    assert_eq!(found.formulas()[0].to_string(), "z");
+    assert_eq!(found.formulas()[64].to_string(), "|S_64|^2");
+    assert_eq!(found.degrees()[..2], [1, 2]);
 }

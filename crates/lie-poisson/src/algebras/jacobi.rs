@@ -1,29 +1,48 @@
 //! The Jacobi identity for a table of structure constants of any size.
 
+use crate::algebras::structure_table::StructureEntry;
 use generic_scalars::larger;
 
 /// The brackets of the basis vectors, in numbers whose products do not overflow.
 pub(crate) struct Brackets {
-    /// The dimension N. It is no parameter of the type, so that the checks are compiled once.
     dimension: usize,
-    /// The constants, with `c[i][j][k]` at (i N + j) N + k.
-    constants: Vec<Extended>,
-    /// The maximum norms of the brackets; the norm of [e_i, e_j] is at i N + j.
+    /// The coordinates of [e_i, e_j] that are not zero, at i N + j in N dimensions.
+    rows: Vec<Vec<(usize, Extended)>>,
+    /// The maximum norms of the brackets, in the same order.
     norms: Vec<Extended>,
 }
 
 impl Brackets {
-    pub(crate) fn new(dimension: usize, constants: &[f64]) -> Self {
-        let norm = |bracket: &[f64]| bracket.iter().fold(0.0, |most, x| larger(most, x.abs()));
-        Self {
-            dimension,
-            constants: constants.iter().map(|&x| Extended::new(x)).collect(),
-            norms: constants.chunks(dimension.max(1)).map(|c| Extended::new(norm(c))).collect(),
+    /// Creates the table of structure constants whose indices are below the dimension.
+    pub(crate) fn new(dimension: usize, entries: &[StructureEntry]) -> Self {
+        let mut rows = vec![Vec::new(); dimension * dimension];
+        let mut norms = vec![0.0; dimension * dimension];
+        for &StructureEntry { i, j, k, value } in entries {
+            rows[i * dimension + j].push((k, Extended::new(value)));
+            norms[i * dimension + j] = larger(norms[i * dimension + j], value.abs());
         }
+        Self { dimension, rows, norms: norms.into_iter().map(Extended::new).collect() }
+    }
+
+    fn row(&self, i: usize, j: usize) -> &[(usize, Extended)] {
+        &self.rows[i * self.dimension + j]
     }
 
     fn constant(&self, i: usize, j: usize, k: usize) -> Extended {
-        self.constants[(i * self.dimension + j) * self.dimension + k]
+        let found = self.row(i, j).iter().find(|(index, _)| *index == k);
+        found.map_or(Extended::new(0.0), |(_, value)| *value)
+    }
+
+    /// Returns the coordinates at which the cyclic sum of [e_i, [e_j, e_k]] has a term; the others are zero.
+    pub(crate) fn reached(&self, [i, j, k]: [usize; 3]) -> Vec<usize> {
+        let cyclic = [(i, j, k), (j, k, i), (k, i, j)];
+        let inner = cyclic.into_iter().flat_map(|(a, b, d)| {
+            self.row(b, d).iter().flat_map(move |(l, _)| self.row(a, *l)).map(|(m, _)| *m)
+        });
+        let mut reached: Vec<usize> = inner.collect();
+        reached.sort_unstable();
+        reached.dedup();
+        reached
     }
 
     /// Returns the maximum norm of [e_i, e_j].

@@ -4,4 +4,5 @@ pub(crate) mod algebra;
 pub(crate) mod group;
 pub(crate) mod product;
 pub(crate) mod jacobi;
+pub(crate) mod structure_table;
 pub(crate) mod structure_constants;

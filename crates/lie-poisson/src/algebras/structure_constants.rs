@@ -1,62 +1,9 @@
 //! Lie algebras from a table of structure constants: [`StructureConstants`].
 
 use crate::algebras::algebra::LieAlgebra;
-use crate::algebras::jacobi::Brackets;
-use generic_scalars::{Covector, Real, larger};
+use crate::algebras::structure_table::{StructureEntry, StructureError, StructureTable};
+use generic_scalars::{Covector, Real};
 use nalgebra::SVector;
-use std::sync::Arc;
-use thiserror::Error;
-
-/// The error returned for a table of numbers that does not define the bracket of a Lie algebra.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum StructureError {
-    /// A structure constant is infinite or not a number.
-    #[error("the structure constant c[{i}][{j}][{k}] = {value} is not finite")]
-    NotFinite {
-        /// The first index of the bracket.
-        i: usize,
-        /// The second index of the bracket.
-        j: usize,
-        /// The index of the coordinate.
-        k: usize,
-        /// The value of the constant.
-        value: f64,
-    },
-    /// The bracket is not antisymmetric: [e_i, e_j] ≠ −[e_j, e_i].
-    #[error(
-        "not antisymmetric: [e{i}, e{j}] + [e{j}, e{i}] has the coordinate {residual:e} at {k}"
-    )]
-    NotAntisymmetric {
-        /// The first index of the bracket.
-        i: usize,
-        /// The second index of the bracket.
-        j: usize,
-        /// The index of the coordinate.
-        k: usize,
-        /// The sum that should be zero.
-        residual: f64,
-    },
-    /// The Jacobi identity fails: the cyclic sum of [e_i, [e_j, e_k]] is not zero.
-    ///
-    /// The residual and the bound are relative to the size of the terms of this sum.
-    #[error(
-        "the Jacobi identity fails for e{i}, e{j}, e{k} by {residual:e} of the size of its terms \
-         (allowed {allowed:e})"
-    )]
-    Jacobi {
-        /// The index of the first basis vector.
-        i: usize,
-        /// The index of the second basis vector.
-        j: usize,
-        /// The index of the third basis vector.
-        k: usize,
-        /// The largest coordinate of the cyclic sum, relative to the size of its terms.
-        residual: f64,
-        /// The relative rounding error that is allowed.
-        allowed: f64,
-    },
-}
 
 /// The Lie algebra of dimension N with the bracket `[e_i, e_j] = Σ_k c[i][j][k] e_k`.
 ///
@@ -77,97 +24,30 @@ pub enum StructureError {
 /// # Ok::<(), lie_poisson::StructureError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct StructureConstants<const N: usize> {
-    /// The constants, with `c[i][j][k]` at (i N + j) N + k.
-    constants: Arc<[f64]>,
-    /// Those that are not zero, in the same order. There are few of them in most algebras.
-    entries: Arc<[Entry]>,
-}
-
-/// The coordinate `value` of [e_i, e_j] at e_k.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Entry {
-    i: usize,
-    j: usize,
-    k: usize,
-    value: f64,
-}
+pub struct StructureConstants<const N: usize>(StructureTable);
 
 impl<const N: usize> StructureConstants<N> {
     /// Creates the algebra from `c(i, j, k) = c[i][j][k]`, the k-th coordinate of `[e_i, e_j]`.
     ///
     /// # Errors
-    /// Returns [`StructureError`] if a constant is not finite, if the bracket is not exactly antisymmetric, or if the
-    /// Jacobi identity fails for some e_i, e_j, e_k. Each coordinate m of the cyclic sum must vanish to within 12 N ε
-    /// times the size of its own terms, whatever the size of the other constants:
-    ///
-    /// ```text
-    /// Σ_cyc Σ_l ( |[e_j, e_k]| |c[i][l][m]| + |c[j][k][l]| |[e_i, e_l]| ),    |·| the maximum norm
-    /// ```
-    ///
-    /// Constants may have rounding errors of a few ε relative to their bracket [e_i, e_j], for example after a
-    /// numerical change of basis.
+    /// Returns the errors of [`StructureTable::new`].
     pub fn new(c: impl Fn(usize, usize, usize) -> f64) -> Result<Self, StructureError> {
-        let constants: Arc<[f64]> = indices(N).map(|(i, j, k)| c(i, j, k)).collect();
-        check(N, &constants)?;
-        let entries = entries(N, &constants);
-        Ok(Self { constants, entries })
+        let indices = (0..N * N * N).map(|place| (place / (N * N), place / N % N, place % N));
+        let constant = |(i, j, k)| StructureEntry { i, j, k, value: c(i, j, k) };
+        StructureTable::new(N, indices.map(constant)).map(Self)
+    }
+
+    /// Returns the algebra of a table, or `None` if it has another dimension.
+    #[must_use]
+    pub fn of_table(table: StructureTable) -> Option<Self> {
+        (table.dimension() == N).then_some(Self(table))
     }
 
     /// Returns the constant `c[i][j][k]`, or zero for indices beyond the dimension.
     #[must_use]
     pub fn constant(&self, i: usize, j: usize, k: usize) -> f64 {
-        if i.max(j).max(k) < N { self.constants[(i * N + j) * N + k] } else { 0.0 }
+        self.0.constant(i, j, k)
     }
-}
-
-fn indices(dimension: usize) -> impl Iterator<Item = (usize, usize, usize)> {
-    let n = dimension;
-    (0..n * n * n).map(move |place| (place / (n * n), place / n % n, place % n))
-}
-
-/// Returns the constants that are not zero.
-fn entries(dimension: usize, constants: &[f64]) -> Arc<[Entry]> {
-    let all = indices(dimension).zip(constants).map(|((i, j, k), &value)| Entry { i, j, k, value });
-    all.filter(|entry| entry.value != 0.0).collect()
-}
-
-/// Checks that constants are those of a Lie algebra. The dimension is no parameter of a type, so that the checks are
-/// compiled once.
-fn check(dimension: usize, constants: &[f64]) -> Result<(), StructureError> {
-    let at = |i: usize, j: usize, k: usize| constants[(i * dimension + j) * dimension + k];
-    for (i, j, k) in indices(dimension) {
-        let value = at(i, j, k);
-        if !value.is_finite() {
-            return Err(StructureError::NotFinite { i, j, k, value });
-        }
-    }
-    for (i, j, k) in indices(dimension) {
-        let residual = at(i, j, k) + at(j, i, k);
-        if residual != 0.0 {
-            return Err(StructureError::NotAntisymmetric { i, j, k, residual });
-        }
-    }
-    check_jacobi(dimension, constants)
-}
-
-/// Checks the Jacobi identity for all triples of basis vectors.
-fn check_jacobi(dimension: usize, constants: &[f64]) -> Result<(), StructureError> {
-    // 3N products of two constants, each rounded three times, and their sum.
-    let allowed = 12.0 * dimension as f64 * f64::EPSILON;
-    let table = Brackets::new(dimension, constants);
-    // The cyclic sum of an antisymmetric bracket is alternating.
-    for (i, j, k) in indices(dimension).filter(|&(i, j, k)| i < j && j < k) {
-        if [(i, j), (j, k), (k, i)].iter().all(|&(a, b)| table.norm(a, b).is_zero()) {
-            continue;
-        }
-        let residuals = (0..dimension).map(|m| table.jacobi_residual([i, j, k], m));
-        let residual = residuals.fold(0.0, larger);
-        if residual.is_nan() || residual > allowed {
-            return Err(StructureError::Jacobi { i, j, k, residual, allowed });
-        }
-    }
-    Ok(())
 }
 
 impl<const N: usize> LieAlgebra for StructureConstants<N> {
@@ -175,7 +55,7 @@ impl<const N: usize> LieAlgebra for StructureConstants<N> {
 
     fn bracket<T: Real>(&self, xi: &SVector<T, N>, eta: &SVector<T, N>) -> SVector<T, N> {
         let mut bracket = SVector::zeros();
-        for &Entry { i, j, k, value } in &*self.entries {
+        for &StructureEntry { i, j, k, value } in self.0.entries() {
             bracket[k] += xi[i] * eta[j] * value;
         }
         bracket
@@ -188,7 +68,7 @@ impl<const N: usize> LieAlgebra for StructureConstants<N> {
         mu: &Covector<SVector<T, N>>,
     ) -> Covector<SVector<T, N>> {
         let mut rate = SVector::zeros();
-        for &Entry { i, j, k, value } in &*self.entries {
+        for &StructureEntry { i, j, k, value } in self.0.entries() {
             rate[j] += xi[i] * mu.0[k] * value;
         }
         Covector(rate)
@@ -301,7 +181,8 @@ mod tests {
                 if i == j {
                     return 0.0;
                 }
-                let sum: f64 = indices(6)
+                let sum: f64 = (0..216)
+                    .map(|place| (place / 36, place / 6 % 6, place % 6))
                     .map(|(a, b, d)| {
                         basis[(a, first)] * basis[(b, second)] * original(a, b, d) * inverse[(k, d)]
                     })

@@ -2,9 +2,10 @@
 
 use super::residue::Residue;
 use super::roots::residue;
-use crate::casimirs::bracket_table::{BracketTable, Constant};
+use crate::casimirs::bracket_table::BracketTable;
 use crate::casimirs::numeric::balance::Scales;
 use crate::casimirs::surd::{Surd, rounding};
+use lie_poisson::StructureEntry;
 
 /// The rounding error of constants that were computed, relative to the natural size of their place.
 const COMPUTED: f64 = 64.0 * f64::EPSILON;
@@ -17,13 +18,14 @@ const COMPUTED: f64 = 64.0 * f64::EPSILON;
 /// numbers were recognised rightly. Casimirs do not depend on the unit.
 pub(crate) fn recognised(
     dimension: usize,
-    constants: &[Constant],
+    constants: &[StructureEntry],
     scales: &Scales,
 ) -> Option<BracketTable<Residue>> {
     let largest = constants.iter().fold(0.0_f64, |size, constant| size.max(constant.value.abs()));
     let units = [1.0, largest];
     let exact = |scales: Option<&Scales>, unit: f64| {
-        let is_rounding = |constant: &Constant| scales.is_some_and(|s| s.is_rounding(constant));
+        let is_rounding =
+            |constant: &StructureEntry| scales.is_some_and(|s| s.is_rounding(constant));
         let kept = constants.iter().filter(|constant| !is_rounding(constant));
         let entries = kept.map(|constant| {
             let own = rounding(constant.value);
@@ -61,9 +63,9 @@ fn is_lie_algebra(table: &BracketTable<Residue>) -> bool {
 mod tests {
     use super::*;
 
-    fn table(constants: &[(usize, usize, usize, f64)]) -> Vec<Constant> {
+    fn table(constants: &[(usize, usize, usize, f64)]) -> Vec<StructureEntry> {
         let both = constants.iter().flat_map(|&(i, j, k, value)| {
-            [Constant { i, j, k, value }, Constant { i: j, j: i, k, value: -value }]
+            [StructureEntry { i, j, k, value }, StructureEntry { i: j, j: i, k, value: -value }]
         });
         both.collect()
     }

@@ -1,6 +1,6 @@
 //! The natural sizes of coordinates and of structure constants: [`Scales`].
 
-use crate::casimirs::bracket_table::Constant;
+use lie_poisson::StructureEntry;
 use nalgebra::{DMatrix, DVector};
 
 /// The smallest constant, relative to the natural size of its place, that is not a rounding error.
@@ -31,7 +31,7 @@ pub(crate) fn shifted(x: f64, n: i32) -> f64 {
 impl Scales {
     /// Returns the scales of an algebra in which all coordinates have one unit.
     #[cfg(test)]
-    pub(crate) fn equal(dimension: usize, constants: &[Constant]) -> Self {
+    pub(crate) fn equal(dimension: usize, constants: &[StructureEntry]) -> Self {
         Self { exponents: vec![0; dimension], largest: 0.0 }.with_largest(constants)
     }
 
@@ -39,8 +39,8 @@ impl Scales {
     ///
     /// A small constant is a rounding error if no units make it as large as the others without making more of these small.
     /// [e₀, e₁] = e₂ + ε e₁ has such units for every ε: it is another algebra than [e₀, e₁] = e₂.
-    pub(crate) fn of(dimension: usize, constants: &[Constant]) -> Self {
-        let mut left: Vec<Constant> = constants.to_vec();
+    pub(crate) fn of(dimension: usize, constants: &[StructureEntry]) -> Self {
+        let mut left: Vec<StructureEntry> = constants.to_vec();
         loop {
             let scales = Self { exponents: balanced(dimension, &left), largest: 0.0 };
             let scales = scales.with_largest(&left);
@@ -52,7 +52,7 @@ impl Scales {
         }
     }
 
-    fn with_largest(self, constants: &[Constant]) -> Self {
+    fn with_largest(self, constants: &[StructureEntry]) -> Self {
         let shifted = constants.iter().map(|constant| self.shifted(constant).abs());
         let largest = shifted.fold(0.0, f64::max);
         Self { largest: if largest > 0.0 { largest } else { 1.0 }, ..self }
@@ -64,22 +64,22 @@ impl Scales {
     }
 
     /// Returns c_ijk s_k/(s_i s_j).
-    fn shifted(&self, &Constant { i, j, k, value }: &Constant) -> f64 {
+    fn shifted(&self, &StructureEntry { i, j, k, value }: &StructureEntry) -> f64 {
         shifted(value, self.exponent(k) - self.exponent(i) - self.exponent(j))
     }
 
     /// Returns a constant in units in which the largest one is ±1.
-    pub(crate) fn relative(&self, constant: &Constant) -> f64 {
+    pub(crate) fn relative(&self, constant: &StructureEntry) -> f64 {
         self.shifted(constant) / self.largest
     }
 
     /// Returns the size of a constant at this place that is 1 in units in which the largest one is ±1.
-    pub(crate) fn natural(&self, &Constant { i, j, k, .. }: &Constant) -> f64 {
+    pub(crate) fn natural(&self, &StructureEntry { i, j, k, .. }: &StructureEntry) -> f64 {
         shifted(self.largest, self.exponent(i) + self.exponent(j) - self.exponent(k))
     }
 
     /// Returns whether a constant is a rounding error of larger ones.
-    pub(crate) fn is_rounding(&self, constant: &Constant) -> bool {
+    pub(crate) fn is_rounding(&self, constant: &StructureEntry) -> bool {
         self.relative(constant).abs() <= SMALLEST
     }
 }
@@ -89,12 +89,12 @@ impl Scales {
 /// The sum of absolute values, unlike that of squares, is indifferent to how far a few constants are from the others.
 /// Its minimum is that of weighted squares, with weights from the last minimum. Source: E. J. Schlossmacher, *An
 /// iterative technique for absolute deviations curve fitting*, J. Amer. Statist. Assoc. 68 (1973).
-fn balanced(dimension: usize, constants: &[Constant]) -> Vec<i32> {
+fn balanced(dimension: usize, constants: &[StructureEntry]) -> Vec<i32> {
     let mut exponents = DVector::zeros(dimension);
     for _ in 0..IMPROVEMENTS {
         let (mut matrix, mut right) =
             (DMatrix::identity(dimension, dimension) * 1e-9, DVector::zeros(dimension));
-        for &Constant { i, j, k, value } in constants {
+        for &StructureEntry { i, j, k, value } in constants {
             let mut row = DVector::<f64>::zeros(dimension);
             row[k] += 1.0;
             row[i] -= 1.0;
@@ -117,9 +117,9 @@ mod tests {
     use super::*;
 
     /// so(3), whose basis vectors have units of their own.
-    fn rotations(units: [f64; 3]) -> Vec<Constant> {
+    fn rotations(units: [f64; 3]) -> Vec<StructureEntry> {
         [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
-            .map(|(i, j, k)| Constant { i, j, k, value: units[i] * units[j] / units[k] })
+            .map(|(i, j, k)| StructureEntry { i, j, k, value: units[i] * units[j] / units[k] })
             .to_vec()
     }
 
@@ -135,14 +135,15 @@ mod tests {
                 assert!((scales.natural(constant) * relative / constant.value - 1.0).abs() < 1e-12);
             }
             // A rounding error at another place does not change them.
-            let noise = Constant { i: 0, j: 1, k: 1, value: 1e-16 * units[0] };
-            let with: Vec<Constant> = constants.iter().copied().chain([noise]).collect();
+            let noise = StructureEntry { i: 0, j: 1, k: 1, value: 1e-16 * units[0] };
+            let with: Vec<StructureEntry> = constants.iter().copied().chain([noise]).collect();
             let noisy = Scales::of(3, &with);
             assert!(noisy.is_rounding(&noise), "{units:?} {}", noisy.relative(&noise));
             assert!(constants.iter().all(|constant| !noisy.is_rounding(constant)));
         }
         // [e₀, e₁] = e₂ + ε e₁ is another algebra than [e₀, e₁] = e₂, in units of its own.
-        let heisenberg = [(2, 1.0), (1, 1e-16)].map(|(k, value)| Constant { i: 0, j: 1, k, value });
+        let heisenberg =
+            [(2, 1.0), (1, 1e-16)].map(|(k, value)| StructureEntry { i: 0, j: 1, k, value });
         assert!(!Scales::of(3, &heisenberg).is_rounding(&heisenberg[1]));
         // Control: without scales, constants of other units look like rounding errors.
         let constants = rotations([1e9, 1.0, 1.0]);

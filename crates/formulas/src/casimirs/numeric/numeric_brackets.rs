@@ -2,9 +2,10 @@
 
 use super::balance::{Scales, shifted};
 use super::near_null_space::near_null_space;
-use crate::casimirs::bracket_table::{BracketTable, Constant};
+use crate::casimirs::bracket_table::BracketTable;
 use crate::casimirs::monomials::{count, equations, monomials};
 use crate::casimirs::polynomial::{Polynomial, generic_point};
+use lie_poisson::StructureEntry;
 use nalgebra::DMatrix;
 
 /// The largest number of monomials for which a dense matrix is factored; this takes a second.
@@ -29,7 +30,7 @@ pub(crate) struct NumericBrackets<'a> {
 }
 
 impl<'a> NumericBrackets<'a> {
-    pub(crate) fn new(dimension: usize, constants: &[Constant], scales: &'a Scales) -> Self {
+    pub(crate) fn new(dimension: usize, constants: &[StructureEntry], scales: &'a Scales) -> Self {
         let kept = constants.iter().filter(|constant| !scales.is_rounding(constant));
         let entries = kept.map(|c| (c.i, c.j, c.k, scales.relative(c)));
         Self { table: BracketTable::new(dimension, entries), scales }

@@ -1,20 +1,11 @@
 //! Structure constants from the non-zero entries of a table: [`structure_constants`].
 
-use lie_poisson::{StructureConstants, StructureError};
+use super::casimir_error::CasimirError;
+use lie_poisson::{
+    LieAlgebra, State, StructureConstants, StructureEntry, StructureError, StructureTable, Vector,
+};
+use std::collections::HashMap;
 use thiserror::Error;
-
-/// An entry of a table: the coordinate `value` of [e_i, e_j] at e_k. Indices count from 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StructureEntry {
-    /// The first index of the bracket.
-    pub i: usize,
-    /// The second index of the bracket.
-    pub j: usize,
-    /// The index of the coordinate.
-    pub k: usize,
-    /// The coordinate of [e_i, e_j] at e_k.
-    pub value: f64,
-}
 
 /// The error returned for entries that do not form a table of structure constants.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -72,14 +63,20 @@ pub enum EntryError {
 pub fn structure_constants<const N: usize>(
     entries: &[StructureEntry],
 ) -> Result<StructureConstants<N>, EntryError> {
-    let table = dense(N, entries)?;
-    let at = |i: usize, j: usize, k: usize| table.get((i * N + j) * N + k).copied();
-    Ok(StructureConstants::new(|i, j, k| at(i, j, k).unwrap_or(0.0))?)
+    let table = structure_table(N, entries)?;
+    Ok(StructureConstants::of_table(table).unwrap_or_else(|| unreachable!("it has N dimensions")))
 }
 
-/// Returns the whole table, with `c[i][j][k]` at (i N + j) N + k. The dimension is no parameter of a type, so that the checks
-/// are compiled once.
-fn dense(dimension: usize, entries: &[StructureEntry]) -> Result<Vec<f64>, EntryError> {
+/// Creates the algebra with the given entries, of a dimension that is known only when the program runs, as
+/// [`structure_constants`] does.
+///
+/// # Errors
+/// Returns the errors of [`structure_constants`].
+pub fn structure_table(
+    dimension: usize,
+    entries: &[StructureEntry],
+) -> Result<StructureTable, EntryError> {
+    let mut first: HashMap<[usize; 3], (usize, f64)> = HashMap::new();
     for (entry, &StructureEntry { i, j, k, value }) in entries.iter().enumerate() {
         if let Some(index) = [i, j, k].into_iter().find(|&index| index >= dimension) {
             return Err(EntryError::IndexTooLarge { entry, index, dimension });
@@ -87,23 +84,36 @@ fn dense(dimension: usize, entries: &[StructureEntry]) -> Result<Vec<f64>, Entry
         if i == j && value != 0.0 {
             return Err(EntryError::WithItself { entry, index: i });
         }
-        let contradicts = |other: &&StructureEntry| {
-            other.k == k
-                && ((other.i, other.j) == (i, j) && other.value != value
-                    || (other.j, other.i) == (i, j) && other.value != -value)
-        };
-        let before = entries.get(..entry).unwrap_or_default();
-        if let Some(earlier) = before.iter().position(|other| contradicts(&other)) {
-            return Err(EntryError::Contradiction { entry, earlier });
+        let (key, value) = if i < j { ([i, j, k], value) } else { ([j, i, k], -value) };
+        match first.get(&key) {
+            Some(&(earlier, before)) if before != value => {
+                return Err(EntryError::Contradiction { entry, earlier });
+            }
+            Some(_) => {}
+            None => drop(first.insert(key, (entry, value))),
         }
     }
-    let mut table = vec![0.0; dimension.pow(3)];
-    for &StructureEntry { i, j, k, value } in entries {
-        for (i, j, value) in [(i, j, value), (j, i, -value)] {
-            if let Some(constant) = table.get_mut((i * dimension + j) * dimension + k) {
-                *constant = value;
+    let constants = first.into_iter().flat_map(|([i, j, k], (_, value))| {
+        [(i, j, value), (j, i, -value)].map(|(i, j, value)| StructureEntry { i, j, k, value })
+    });
+    Ok(StructureTable::new(dimension, constants)?)
+}
+
+/// Returns the structure constants of an algebra that are not zero, those with i > j too.
+pub(crate) fn constants<A: LieAlgebra>(algebra: &A) -> Result<Vec<StructureEntry>, CasimirError> {
+    let dimension = A::Element::<f64>::DIM;
+    let mut all = Vec::new();
+    for (i, j) in (0..dimension).flat_map(|i| (0..dimension).map(move |j| (i, j))) {
+        let bracket = algebra.bracket::<f64>(&Vector::basis(i), &Vector::basis(j));
+        for k in 0..dimension {
+            let value = bracket.coordinate(k);
+            if !value.is_finite() {
+                return Err(CasimirError::NotFinite { i, j });
+            }
+            if value != 0.0 {
+                all.push(StructureEntry { i, j, k, value });
             }
         }
     }
-    Ok(table)
+    Ok(all)
 }
