@@ -17,6 +17,16 @@ pub enum FormulaSystemError {
         /// The names of all algebras.
         names: Vec<&'static str>,
     },
+    /// The text of an algebra cannot be read from a column on.
+    #[error("algebra: `{text}`, column {column}: {problem}")]
+    AlgebraText {
+        /// The text.
+        text: String,
+        /// The column, from 1.
+        column: usize,
+        /// What is wrong, and what could stand there.
+        problem: String,
+    },
     /// There is no system of this name.
     #[error("there is no system {name}; there are {}", kinds.join(", "))]
     NoKind {

@@ -68,7 +68,7 @@
 //! | the part of a formula that has no value at a state | [`Formula::checked_value`], [`ValueError`] |
 //! | the Casimirs of an algebra of your own | [`find_casimirs`], [`PolynomialCasimirs`] |
 //! | structure constants from the entries of a table | [`structure_constants`], [`StructureEntry`] |
-//! | an algebra whose dimension is known only when the program runs | [`structure_table`], [`find_casimirs_of_table`] |
+//! | an algebra whose dimension is known only when the program runs | [`table_of_entries`], [`find_casimirs_of_table`] |
 //!
 //! # Cost
 //!
@@ -123,7 +123,7 @@ pub use casimirs::casimir_error::CasimirError;
 pub use casimirs::polynomial_casimirs::{
     PolynomialCasimirs, find_casimirs, find_casimirs_of_table,
 };
-pub use casimirs::structure_entries::{EntryError, structure_constants, structure_table};
+pub use casimirs::structure_entries::{EntryError, structure_constants, table_of_entries};
 pub use lie_poisson::StructureEntry;
 
 /// Compiles and runs the examples of the README.

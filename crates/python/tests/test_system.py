@@ -198,7 +198,7 @@ def test_systems_and_their_solutions_are_pickled():
         (dict(structure_constants=np.ones((2, 2, 2)), hamiltonian="mu1"), ValueError, "change sign with i and j"),
         (dict(structure_constants=np.ones((2, 2)), hamiltonian="mu1"), ValueError, r"shape \(d, d, d\)"),
         (dict(structure_constants=np.zeros((2, 2, 2)), coordinates=["a"], hamiltonian="a"), ValueError, "1 coordinates"),
-        (dict(structure_constants=np.zeros((16, 16, 16)), hamiltonian="mu1"), ValueError, "1 to 15 coordinates"),
+        (dict(coordinates=[f"x{i}" for i in range(257)], brackets={}, hamiltonian="x0"), ValueError, "257 coordinates"),
         (dict(algebra="so(3)", hamiltonian="Pi1", parameters={"Pi1": 2.0}), ValueError, "parameters.*Pi1"),
         (dict(algebra="so(3)", hamiltonian="Pi1", parameters={"a": [[1.0]]}), ValueError, "number or a list"),
         (dict(algebra="so(3)", hamiltonian="Pi1", parameters={"a": np.nan}), ValueError, "must be finite"),

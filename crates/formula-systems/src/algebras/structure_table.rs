@@ -2,7 +2,7 @@
 
 use crate::algebras::system_algebra::SystemAlgebra;
 use lie_poisson::StructureError;
-use lie_poisson_formulas::{EntryError, StructureEntry, shown, structure_constants};
+use lie_poisson_formulas::{EntryError, StructureEntry, shown, table_of_entries};
 use thiserror::Error;
 
 /// The reason why a text is not a table of structure constants, with the number of the line. Lines count from 1.
@@ -92,7 +92,7 @@ pub enum StructureTableError {
 /// let of_spreadsheet = "\u{feff}\"i\",\"j\",\"k\",\"value\"\r\n1.0,2.0,3.0,1\r\n1,3,2,-1\r\n2,3,1,1\r\n";
 /// assert_eq!(structure_table(of_spreadsheet)?, so3.entries());
 /// let error = structure_table("1, 2, 3, 1\n0, 3, 1, 1").unwrap_err();
-/// assert_eq!(error.to_string(), "line 2: the index `0` is not a whole number from 1 to 15");
+/// assert_eq!(error.to_string(), "line 2: the index `0` is not a whole number from 1 to 256");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn structure_table(text: &str) -> Result<Vec<StructureEntry>, StructureTableError> {
@@ -109,7 +109,7 @@ pub fn structure_table(text: &str) -> Result<Vec<StructureEntry>, StructureTable
     }
     let line = |entry: usize| numbers.get(entry).copied().unwrap_or_default();
     // Indices that do not occur belong to central elements, which do not enter the identity.
-    match structure_constants::<{ SystemAlgebra::MOST_DIMENSIONS }>(&entries) {
+    match table_of_entries(SystemAlgebra::MOST_DIMENSIONS, &entries) {
         Ok(_) => Ok(entries),
         Err(EntryError::WithItself { entry, index }) => {
             Err(StructureTableError::WithItself { line: line(entry), index: index + 1 })

@@ -1,30 +1,42 @@
 //! The Lie algebra of a system, with names for its coordinates: [`SystemAlgebra`].
 
 use super::bracket_texts::entries;
+use super::expressions::parser::parse;
+use super::expressions::part::Part;
 use crate::error::FormulaSystemError;
 use lie_poisson::{
-    Inherited, SO3OnR3, Se2, Se3, SemidirectAlgebra, Sl2, So3, State, StructureError, Su2, Vector,
+    Inherited, SO3OnR3, SemidirectAlgebra, State, StructureError, StructureTable, Vector,
 };
 use lie_poisson_formulas::{
-    Coordinates, DimensionTask, EntryError, NameError, NamedAlgebra, Parameters, StructureEntry,
-    Vocabulary, for_dimension, structure_constants,
+    Coordinates, EntryError, NameError, NamedAlgebra, Parameters, StructureEntry, Vocabulary,
+    table_of_entries,
 };
 
-/// The widths of the states of systems. A smaller algebra is completed by central coordinates, which stay zero.
-const WIDTHS: [usize; 4] = [3, 6, 10, 15];
+/// The dimensions of the Clebsch maps. A smaller algebra is completed by central coordinates, which stay zero.
+const WIDTHS: [usize; 2] = [3, 6];
 
 /// The kind of an algebra. It decides which methods, besides the direct ones, integrate its systems.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Family {
     /// The algebras of rotations, so(3) and su(2).
     Rotations,
+    /// Sums of several such algebras.
+    ManyRotations,
     /// The algebra of rigid motions, se(3).
     Motions,
     /// Any other Lie algebra.
     Other,
 }
 
-/// A Lie algebra 𝔤 of up to 15 dimensions, with names for the coordinates of its dual.
+impl Family {
+    /// Returns the kind of the direct sum with an algebra of another kind.
+    pub(crate) fn with(self, other: Self) -> Self {
+        let rotates = |family| matches!(family, Self::Rotations | Self::ManyRotations);
+        if rotates(self) && rotates(other) { Self::ManyRotations } else { Self::Other }
+    }
+}
+
+/// A Lie algebra 𝔤 of up to 256 dimensions, with names for the coordinates of its dual.
 ///
 /// # Example
 /// The Poincaré algebra of one space dimension, [K, H] = P and [K, P] = H, and so(3) by its name:
@@ -48,35 +60,69 @@ pub(crate) enum Family {
 pub struct SystemAlgebra {
     name: String,
     coordinates: Coordinates,
+    /// The structure constants c_ijk with i < j.
     entries: Vec<StructureEntry>,
+    table: StructureTable,
     pub(crate) family: Family,
 }
 
 impl SystemAlgebra {
-    /// The names of the algebras of the library: so(3), su(2), sl(2), se(2), se(3) and se(3) ⋉ R³.
-    pub const NAMES: [&'static str; 6] = ["so(3)", "su(2)", "sl(2)", "se(2)", "se(3)", "se(3)+R3"];
-
     /// The largest dimension of an algebra.
-    pub const MOST_DIMENSIONS: usize = 15;
+    pub const MOST_DIMENSIONS: usize = 256;
 
-    /// Returns the algebra of the library with this name; [`NamedAlgebra`] lists the names of its coordinates.
+    /// Returns the algebra of an expression, such as `so(3)`, `so(3)^64` or `so(4) ⋉ (R4 + R4)`.
+    ///
+    /// | text | algebra | coordinates of 𝔤∗ |
+    /// |---|---|---|
+    /// | `so(2)`, `so(3)` | rotations | `Pi`, a number; `Pi`, a vector, whose bracket is the cross product |
+    /// | `so(n)`, `so(p,q)` | rotations and Lorentz transformations, of matrices η_i E_ji − η_j E_ij | `L12`, `L13`, … |
+    /// | `se(n)` | rigid motions, `so(n) ⋉ Rn` | those of so(n), `Gamma` |
+    /// | `su(2)`, `su(n)` | of −(i/2) λ_a with Pauli's and Gell-Mann's matrices | `mu` |
+    /// | `sl(2)` or `sl(2,R)` | of [α β; γ −α] | `alpha`, `beta`, `gamma` |
+    /// | `sl(n,R)` | matrices without trace | `M12`, … of E₁₂, …; `H1`, … of E₁₁ − E₂₂, … |
+    /// | `gl(n)` | all matrices | `M11`, `M12`, … |
+    /// | `sp(2n,R)` | quadratic functions with their Poisson brackets | `Q11`, … of q_i q_j; `R11`, … of q_i p_j; `P11`, … of p_i p_j |
+    /// | `heisenberg(n)` | [q_i, p_i] = z | `q`, `p`, `z` |
+    /// | `galilei`; `bargmann` | [K_i, H] = P_i; with a mass, [K_i, P_j] = δ_ij M | `J`, `K`, `P`, `H`; `M` |
+    /// | `poincare(1,n)`, n ≤ 3 | [K_i, H] = P_i, [K_i, P_j] = δ_ij H | `J`, `K`, `P`, `H` |
+    /// | `R3` | abelian | `p` |
+    /// | `a + b`, `a ⊕ b` | direct sum | those of both; with `_1` and `_2` if names are the same |
+    /// | `a^4` | a + a + a + a | those of a with `_1` to `_4` |
+    /// | `a ⋉ R3`, <code>a &#124;x R3</code> | semidirect product with the space on which a acts | those of a; `Gamma`, or `alpha` for C2 |
+    /// | `a ⋉ (R3 + R3)`, `a ⋉ R3^2` | the same with several vectors | those of a; `Gamma_1`, `Gamma_2` |
+    ///
+    /// The text `se(3)+R3`, without spaces or with some, is the algebra se(3) ⋉ R³ of a top on a movable base, with `Pi`,
+    /// `P` and `Gamma`. Spaces do not matter otherwise either.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::NoAlgebra`] for a name that is not one of [`NAMES`](Self::NAMES).
-    pub fn named(name: &str) -> Result<Self, FormulaSystemError> {
-        let base = SemidirectAlgebra(Inherited { quotient: SO3OnR3, representation: SO3OnR3 });
-        match name {
-            "so(3)" => of_library(name, &So3, Family::Rotations),
-            "su(2)" => of_library(name, &Su2, Family::Rotations),
-            "sl(2)" => of_library(name, &Sl2, Family::Other),
-            "se(2)" => of_library(name, &Se2::default(), Family::Other),
-            "se(3)" => of_library(name, &Se3::default(), Family::Motions),
-            "se(3)+R3" => of_library(name, &base, Family::Other),
-            _ => {
-                let names = Self::NAMES.to_vec();
-                Err(FormulaSystemError::NoAlgebra { name: name.into(), names })
-            }
+    /// Returns [`FormulaSystemError::NoAlgebra`] for a name that there is not, [`FormulaSystemError::AlgebraText`] with the
+    /// column from which on the text is no algebra, and [`FormulaSystemError::Dimension`] if it is too large.
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+    /// use lie_poisson_formulas::Parameters;
+    /// let two_fields = SystemAlgebra::named("so(3) ⋉ (R3 + R3)")?;
+    /// let names: Vec<&str> = two_fields.coordinates().groups().map(|(name, _)| name).collect();
+    /// assert_eq!(names, ["Pi", "Gamma_1", "Gamma_2"]);
+    /// let text = "|Pi|^2/2 + Gamma_1_1 + Gamma_2_2";
+    /// let compass = FormulaSystem::new(two_fields, text, &Parameters::new())?.with_found_casimirs()?;
+    /// let casimirs: Vec<String> = compass.casimirs().iter().map(ToString::to_string).collect();
+    /// assert_eq!(casimirs, ["|Gamma_1|^2", "Gamma_1·Gamma_2", "|Gamma_2|^2"]);
+    /// let error = SystemAlgebra::named("so(3) + ").unwrap_err().to_string();
+    /// assert!(error.starts_with("algebra: `so(3) + `, column 9: an algebra, such as so(3), must stand"));
+    /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
+    /// ```
+    pub fn named(text: &str) -> Result<Self, FormulaSystemError> {
+        let name: String = text.trim().into();
+        if name.split_whitespace().collect::<String>() == "se(3)+R3" {
+            let base = SemidirectAlgebra(Inherited { quotient: SO3OnR3, representation: SO3OnR3 });
+            return of_library(name, &base);
         }
+        let Part { coordinates, constants, family, .. } = parse(text)?;
+        let table = table_of_entries(coordinates.dimension(), &constants);
+        let table = table.map_err(FormulaSystemError::Structure)?;
+        Ok(Self::of_table(name, coordinates, table, family))
     }
 
     /// Creates the algebra from brackets [x, y] = Σ c z, which are written with the names of coordinates, such as
@@ -101,7 +147,7 @@ impl SystemAlgebra {
     ///
     /// # Errors
     /// Returns [`FormulaSystemError`] if there are no coordinates or more than
-    /// [`MOST_DIMENSIONS`](Self::MOST_DIMENSIONS), or if [`structure_constants`] rejects the entries, for example
+    /// [`MOST_DIMENSIONS`](Self::MOST_DIMENSIONS), or if [`table_of_entries`] rejects the entries, for example
     /// because the Jacobi identity fails.
     ///
     /// # Example
@@ -126,16 +172,26 @@ impl SystemAlgebra {
         entries: Vec<StructureEntry>,
         wrong: impl Fn(EntryError) -> FormulaSystemError,
     ) -> Result<Self, FormulaSystemError> {
-        let check = for_dimension(coordinates.dimension(), Check { entries: &entries });
-        check.transpose().map_err(|error| match error {
+        let table = table_of_entries(coordinates.dimension(), &entries);
+        let table = table.map_err(|error| match error {
             EntryError::Structure(StructureError::Jacobi { i, j, k, residual, allowed }) => {
                 let name = |i: usize| coordinates.names().nth(i).unwrap_or_default();
                 FormulaSystemError::Jacobi { names: [i, j, k].map(name), residual, allowed }
             }
             error => wrong(error),
         })?;
-        let entries = ordered(entries);
-        Ok(Self { name: "this algebra".into(), coordinates, entries, family: Family::Other })
+        let name = "this algebra".into();
+        Ok(Self::of_table(name, coordinates, table, Family::Other))
+    }
+
+    fn of_table(
+        name: String,
+        coordinates: Coordinates,
+        table: StructureTable,
+        family: Family,
+    ) -> Self {
+        let entries = table.entries().iter().copied().filter(|entry| entry.i < entry.j).collect();
+        Self { name, coordinates, entries, table, family }
     }
 
     /// Returns the name in messages: that of [`named`](Self::named), or "this algebra".
@@ -156,6 +212,12 @@ impl SystemAlgebra {
         &self.entries
     }
 
+    /// Returns all structure constants.
+    #[must_use]
+    pub(crate) const fn table(&self) -> &StructureTable {
+        &self.table
+    }
+
     /// Returns the dimension of the algebra.
     #[must_use]
     pub fn dimension(&self) -> usize {
@@ -170,11 +232,11 @@ impl SystemAlgebra {
         Vocabulary::new(&self.coordinates, parameters).map_err(FormulaSystemError::Parameters)
     }
 
-    /// Returns the width of the states of direct integrators: the dimension, plus the number of central coordinates
-    /// that complete it.
+    /// Returns the dimension to which the algebra is completed by central coordinates for its Clebsch map: that of the
+    /// smallest map that fits, or its own if none does.
     pub(crate) fn width(&self) -> usize {
         let fits = |width: &usize| *width >= self.dimension();
-        WIDTHS.into_iter().find(fits).unwrap_or(Self::MOST_DIMENSIONS)
+        WIDTHS.into_iter().find(fits).unwrap_or(self.dimension())
     }
 
     /// Returns the names for formulas on the completed space, of which the last ones stand for coordinates that stay
@@ -186,7 +248,7 @@ impl SystemAlgebra {
     }
 }
 
-/// Checks that there are 1 to 15 coordinates.
+/// Checks that there are coordinates, and not too many.
 fn require_dimension(coordinates: &Coordinates) -> Result<(), FormulaSystemError> {
     let (count, most) = (coordinates.dimension(), SystemAlgebra::MOST_DIMENSIONS);
     match count {
@@ -196,47 +258,20 @@ fn require_dimension(coordinates: &Coordinates) -> Result<(), FormulaSystemError
     }
 }
 
-/// Returns the entries that are not zero, each once, with i < j.
-fn ordered(entries: Vec<StructureEntry>) -> Vec<StructureEntry> {
-    let nonzero = entries.into_iter().filter(|entry| entry.value != 0.0);
-    let mut ordered: Vec<StructureEntry> = nonzero
-        .map(|StructureEntry { i, j, k, value }| match i < j {
-            true => StructureEntry { i, j, k, value },
-            false => StructureEntry { i: j, j: i, k, value: -value },
-        })
-        .collect();
-    ordered.sort_by_key(|entry| (entry.i, entry.j, entry.k));
-    ordered.dedup();
-    ordered
-}
-
-/// The check that entries are the structure constants of a Lie algebra.
-struct Check<'a> {
-    entries: &'a [StructureEntry],
-}
-
-impl DimensionTask for Check<'_> {
-    type Output = Result<(), EntryError>;
-
-    fn run<const N: usize>(self) -> Self::Output {
-        structure_constants::<N>(self.entries).map(|_| ())
-    }
-}
-
 /// Returns the table of an algebra of the library.
 fn of_library<A: NamedAlgebra>(
-    name: &str,
+    name: String,
     algebra: &A,
-    family: Family,
 ) -> Result<SystemAlgebra, FormulaSystemError> {
-    let dimension = A::Element::<f64>::DIM;
-    let mut entries = Vec::new();
-    for (i, j) in (0..dimension).flat_map(|i| (i + 1..dimension).map(move |j| (i, j))) {
-        let bracket = algebra.bracket::<f64>(&Vector::basis(i), &Vector::basis(j));
-        let constants = (0..dimension).map(|k| (k, bracket.coordinate(k)));
-        let nonzero = constants.filter(|(_, value)| *value != 0.0);
-        entries.extend(nonzero.map(|(k, value)| StructureEntry { i, j, k, value }));
-    }
+    let basis = |i| Vector::basis(i);
+    let pairs = (0..A::Element::<f64>::DIM).flat_map(|j| (0..j).map(move |i| (i, j)));
+    let constants = pairs.flat_map(|(i, j)| {
+        let bracket = algebra.bracket::<f64>(&basis(i), &basis(j));
+        (0..bracket.dimension()).map(move |k| (i, j, k, bracket.coordinate(k)))
+    });
+    let entries = constants.map(|(i, j, k, value)| StructureEntry { i, j, k, value });
     let coordinates = algebra.coordinates().map_err(FormulaSystemError::Coordinates)?;
-    Ok(SystemAlgebra { name: name.into(), coordinates, entries, family })
+    let table = table_of_entries(coordinates.dimension(), &entries.collect::<Vec<_>>());
+    let table = table.map_err(FormulaSystemError::Structure)?;
+    Ok(SystemAlgebra::of_table(name, coordinates, table, Family::Other))
 }

@@ -1,20 +1,26 @@
 //! The integrator of a system: one type for each algebra and formulation.
 
-use super::clebsch_maps::{ClebschMap, clebsch_map};
-use super::invariant_guard::InvariantGuard;
+use super::clebsch::clebsch_maps::{ClebschMap, clebsch_map};
+use super::clebsch::invariant_guard::InvariantGuard;
+use super::formula_of_sites::FormulaOfSites;
 use super::offers::refusal;
+use super::table_field::TableField;
 use crate::algebras::system_algebra::Family;
 use crate::error::FormulaSystemError;
 use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::{
-    AnyIntegrator, AnyTangents, ByPointer, Collective, Composition, Direct, HamiltonianField,
-    LiftFree, RungeKutta, Scheme, Start, TangentIntegrator,
+    AnyIntegrator, AnyState, AnyTangents, ByPointer, Collective, CollectiveSites, Composition,
+    Direct, HamiltonianField, LiftFree, LiftFreeSites, RungeKutta, Scheme, Start,
+    TangentIntegrator,
 };
 use heavytop::SpinorRealisation;
 use heavytop::methods::{Formulation, Method};
-use lie_poisson::{LieAlgebra, LiePoisson, Momentum, Se3, So3, StructureConstants, Vector};
+use lie_poisson::{
+    Covector, LieAlgebra, LiePoisson, Momentum, Se3, Sites, So3, State, StructureConstants, Vector,
+};
 use lie_poisson_formulas::{Formula, FormulaHamiltonian, structure_constants};
 use momentum_map::{DualQuaternions, HOPF, PoissonMap, Quaternions};
+use nalgebra::Vector3;
 
 /// A system with the method of its integration, for runs from a state.
 pub(super) struct Integration<'a> {
@@ -49,8 +55,7 @@ impl Integration<'_> {
                 return match algebra.width() {
                     3 => self.direct::<3>(scheme),
                     6 => self.direct::<6>(scheme),
-                    10 => self.direct::<10>(scheme),
-                    _ => self.direct::<15>(scheme),
+                    _ => Ok(self.direct_of_table(scheme)),
                 };
             }
             (Formulation::Collective, Family::Rotations) => {
@@ -65,6 +70,20 @@ impl Integration<'_> {
             }
             (Formulation::Reduced, Family::Motions) => {
                 self.any(LiftFree::new(scheme, DualQuaternions, self.hamiltonian::<Se3>()?))
+            }
+            (Formulation::Collective, Family::ManyRotations) => {
+                let collective = CollectiveSites::new(scheme, HOPF, self.formula_of_sites());
+                let points = Sites::zeros_of(&(self.start.len() / 3));
+                return Ok(AnyIntegrator::of_states_with_tangents(
+                    collective,
+                    &points,
+                    &self.sites(),
+                ));
+            }
+            (Formulation::Reduced, Family::ManyRotations) => {
+                let reduced = LiftFreeSites::new(scheme, Quaternions, self.formula_of_sites());
+                let (momenta, momentum) = (self.sites(), self.sites());
+                return Ok(AnyIntegrator::of_states_with_tangents(reduced, &momenta, &momentum));
             }
             (Formulation::Collective, Family::Other) => {
                 return match algebra.width() {
@@ -113,11 +132,29 @@ impl Integration<'_> {
         Vector::from_coordinates(|i| self.start.get(i).copied().unwrap_or(0.0))
     }
 
+    fn formula_of_sites(&self) -> FormulaOfSites {
+        FormulaOfSites(self.system.hamiltonian().clone())
+    }
+
+    /// Returns the zero momentum of as many sites as the start has.
+    fn sites(&self) -> Covector<Sites<Vector3<f64>>> {
+        State::zeros_of(&(self.start.len() / 3))
+    }
+
     /// Applies the scheme to the equations, on the algebra that is completed to the dimension N.
     fn direct<const N: usize>(&self, scheme: AnyScheme) -> Made {
         let space = LiePoisson::minus(self.table::<N>()?);
         let hamiltonian = of(self.system.completed())?;
         Ok(self.any(Direct::new(scheme, HamiltonianField { space, hamiltonian })))
+    }
+
+    /// Applies the scheme to the equations on an algebra of any dimension.
+    fn direct_of_table(&self, scheme: AnyScheme) -> AnyIntegrator<dyn AnyTangents> {
+        let (algebra, hamiltonian) = (self.system.algebra(), self.system.hamiltonian().clone());
+        let direct =
+            Direct::new(scheme, TableField { table: algebra.table().clone(), hamiltonian });
+        let momentum = AnyState::from_slice(self.start);
+        AnyIntegrator::of_states_with_tangents(direct, &momentum, &momentum)
     }
 
     /// Hides the type of an integrator.

@@ -1,8 +1,9 @@
 //! The integrators of systems by name: a formulation and a scheme.
 
 pub(crate) mod offers;
-pub(crate) mod clebsch_maps;
-pub(crate) mod invariant_guard;
+pub(crate) mod clebsch;
+pub(crate) mod table_field;
+pub(crate) mod formula_of_sites;
 pub(crate) mod integration;
 mod integrators;
 mod spectral_radius;

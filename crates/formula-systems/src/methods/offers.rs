@@ -21,11 +21,11 @@ impl SystemAlgebra {
     }
 
     /// Returns the formulation that suits the algebra best. It is collective if that is a Poisson integrator for every
-    /// Hamiltonian, namely on so(3), su(2) and se(3) by name. Otherwise it is direct.
+    /// Hamiltonian, namely on so(3), su(2) and se(3) by name, and on sums of so(3) and su(2). Otherwise it is direct.
     #[must_use]
     pub fn default_formulation(&self) -> Formulation {
         match self.family {
-            Family::Rotations | Family::Motions => Formulation::Collective,
+            Family::Rotations | Family::ManyRotations | Family::Motions => Formulation::Collective,
             Family::Other => Formulation::Direct,
         }
     }
@@ -35,7 +35,7 @@ impl SystemAlgebra {
     ///
     /// | algebra | formulations |
     /// |---|---|
-    /// | so(3), su(2), se(3) by name | collective, reduced, direct |
+    /// | so(3), su(2), se(3) by name, and sums of so(3) and su(2) | collective, reduced, direct |
     /// | another of dimension 2 to 6 | collective, by a Clebsch map; direct |
     /// | any other | direct |
     ///

@@ -1,10 +1,10 @@
 //! A Lie–Poisson system whose Hamiltonian is a formula: [`FormulaSystem`].
 
-use super::casimir_search::casimirs;
 use crate::algebras::system_algebra::SystemAlgebra;
 use crate::error::FormulaSystemError;
 use lie_poisson_formulas::{
     Expression, Expressions, Formula, FormulaError, Parameters, StructureEntry, Vocabulary,
+    find_casimirs_of_table,
 };
 
 /// A Lie algebra 𝔤, a Hamiltonian h on its dual as a formula, and Casimirs of 𝔤.
@@ -107,7 +107,7 @@ impl FormulaSystem {
     /// # Errors
     /// Returns [`FormulaSystemError::Casimirs`] if the structure constants of the algebra do not allow a search.
     pub fn with_found_casimirs(self) -> Result<Self, FormulaSystemError> {
-        let found = casimirs(&self.algebra)?;
+        let found = find_casimirs_of_table(self.algebra.table(), self.algebra.coordinates())?;
         let (casimirs, missing) = (found.formulas().to_vec(), Some(found.missing()));
         Ok(Self { casimirs, degrees: found.degrees().to_vec(), missing, ..self })
     }

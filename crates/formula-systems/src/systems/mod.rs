@@ -1,4 +1,3 @@
 //! Lie–Poisson systems by formula: an algebra, a Hamiltonian, and the Casimirs.
 
-pub(crate) mod casimir_search;
 pub(crate) mod formula_system;

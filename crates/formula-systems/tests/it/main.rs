@@ -1,6 +1,7 @@
 //! The promises of the crate: algebras, states, methods and sections, what is refused, and what runs conserve.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod algebra_expressions;
 mod algebras_of_systems;
 mod laws_of_systems;
 mod methods_by_name;

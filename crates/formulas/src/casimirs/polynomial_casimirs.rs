@@ -129,10 +129,10 @@ pub fn find_casimirs<A: LieAlgebra>(
 ///
 /// # Example
 /// ```
-/// use lie_poisson_formulas::{Coordinates, StructureEntry, find_casimirs_of_table, structure_table};
+/// use lie_poisson_formulas::{Coordinates, StructureEntry, find_casimirs_of_table, table_of_entries};
 /// // so(3) twice: the Casimirs of a direct sum are those of its summands.
 /// let cyclic = [(0, 1, 2), (1, 2, 0), (2, 0, 1), (3, 4, 5), (4, 5, 3), (5, 3, 4)];
-/// let table = structure_table(6, &cyclic.map(|(i, j, k)| StructureEntry { i, j, k, value: 1.0 }))?;
+/// let table = table_of_entries(6, &cyclic.map(|(i, j, k)| StructureEntry { i, j, k, value: 1.0 }))?;
 /// let found = find_casimirs_of_table(&table, &Coordinates::new().vector("S", 3)?.vector("T", 3)?)?;
 /// let texts: Vec<String> = found.formulas().iter().map(ToString::to_string).collect();
 /// assert_eq!(texts, ["|S|^2", "|T|^2"]);

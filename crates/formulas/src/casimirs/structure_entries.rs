@@ -63,7 +63,7 @@ pub enum EntryError {
 pub fn structure_constants<const N: usize>(
     entries: &[StructureEntry],
 ) -> Result<StructureConstants<N>, EntryError> {
-    let table = structure_table(N, entries)?;
+    let table = table_of_entries(N, entries)?;
     Ok(StructureConstants::of_table(table).unwrap_or_else(|| unreachable!("it has N dimensions")))
 }
 
@@ -72,7 +72,7 @@ pub fn structure_constants<const N: usize>(
 ///
 /// # Errors
 /// Returns the errors of [`structure_constants`].
-pub fn structure_table(
+pub fn table_of_entries(
     dimension: usize,
     entries: &[StructureEntry],
 ) -> Result<StructureTable, EntryError> {

@@ -11,7 +11,7 @@ use crate::text::printer::print;
 use crate::text::syntax::Syntax;
 use core::fmt;
 use core::ops::Range;
-use lie_poisson::Vector;
+use lie_poisson::{Real, Vector};
 use std::sync::Arc;
 
 /// A scalar function h of named coordinates, written as text, with its exact derivatives dh and D²h·v.
@@ -202,6 +202,21 @@ impl Formula {
         self.0.value.scalar(z.len(), |i| z.get(i).copied().unwrap_or(f64::NAN))
     }
 
+    /// Returns the value at the point with the coordinates z(i), i < `count`, over every scalar, or NaN if the formula has
+    /// another number of coordinates.
+    ///
+    /// ```
+    /// use lie_poisson::So3;
+    /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+    /// let h = Formula::new("Pi1*Pi2 + Pi3", &Vocabulary::of(&So3, &Parameters::new())?)?;
+    /// assert_eq!(h.value_of(3, |i| 2.0 + i as f64), 10.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn value_of<T: Real>(&self, count: usize, z: impl Fn(usize) -> T) -> T {
+        self.0.value.scalar(count, z)
+    }
+
     /// Returns the differential dh(z), with the coordinates ∂h/∂zᵢ, or NaN if z has fewer or more coordinates
     /// than the formula.
     #[cfg_attr(optimised, inline(always))]
@@ -241,6 +256,53 @@ impl Formula {
     /// ```
     pub fn write_differential(&self, z: &[f64], slopes: &mut [f64]) {
         self.0.gradient.write(z, slopes);
+    }
+
+    /// Passes the coordinates ∂h/∂zᵢ of the differential on, over every scalar and without an allocation. The point has the
+    /// coordinates z(i), i < `count`. There are none if the formula has another number of coordinates.
+    ///
+    /// ```
+    /// use lie_poisson::So3;
+    /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+    /// let h = Formula::new("Pi1*Pi2 + Pi3", &Vocabulary::of(&So3, &Parameters::new())?)?;
+    /// assert_eq!(h.with_differential(3, |i| 2.0 + i as f64, <[f64]>::to_vec), [3.0, 2.0, 1.0]);
+    /// assert!(h.with_differential(2, |i| i as f64, <[f64]>::is_empty));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_differential<T: Real, R>(
+        &self,
+        count: usize,
+        z: impl Fn(usize) -> T,
+        use_it: impl FnOnce(&[T]) -> R,
+    ) -> R {
+        match count == self.dimension() {
+            true => self.0.gradient.pass((count, count), &z, &z, use_it),
+            false => use_it(&[]),
+        }
+    }
+
+    /// Passes the coordinates Σⱼ ∂²h/∂zᵢ∂zⱼ vⱼ of D²h(z)·v on, as [`with_differential`](Self::with_differential) does.
+    ///
+    /// ```
+    /// use lie_poisson::So3;
+    /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+    /// let h = Formula::new("Pi1^2*Pi2", &Vocabulary::of(&So3, &Parameters::new())?)?;
+    /// let moved = h.with_second_derivative(&[3.0, 5.0, 0.0], &[1.0, 10.0, 0.0], <[f64]>::to_vec);
+    /// assert_eq!(moved, [10.0 + 60.0, 6.0, 0.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_second_derivative<T: Real, R>(
+        &self,
+        z: &[T],
+        v: &[T],
+        use_it: impl FnOnce(&[T]) -> R,
+    ) -> R {
+        let count = self.dimension();
+        let both = |i: usize| if i < count { z[i] } else { v[i - count] };
+        match [z.len(), v.len()] == [count; 2] {
+            true => self.0.second_derivative.pass((2 * count, count), both, |i| v[i], use_it),
+            false => use_it(&[]),
+        }
     }
 
     /// Returns the coefficients a_i if the formula is a linear form Σ a_i zᵢ, and `None` otherwise.

@@ -91,6 +91,18 @@ impl Tape {
         self.evaluate((inputs, 1), &input, &input, |results| result(results, 0))
     }
 
+    /// Computes the results at `inputs` coordinates and passes them on, in code that is compiled once for each scalar.
+    #[inline]
+    pub(crate) fn pass<T: Real, R>(
+        &self,
+        counts: (usize, usize),
+        input: impl Fn(usize) -> T,
+        own: impl Fn(usize) -> T,
+        results: impl FnOnce(&[T]) -> R,
+    ) -> R {
+        self.evaluate_apart(counts, input, own, results)
+    }
+
     /// Computes the results at `inputs` coordinates and passes the first `outputs` of them on; none if the tape has
     /// another number of coordinates.
     ///

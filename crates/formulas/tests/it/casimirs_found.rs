@@ -3,7 +3,7 @@
 use lie_poisson::*;
 use lie_poisson_formulas::{
     CasimirError, Coordinates, NamedAlgebra, StructureEntry, find_casimirs, find_casimirs_of_table,
-    structure_constants, structure_table,
+    structure_constants, table_of_entries,
 };
 
 /// Returns the Casimirs as text, and how many are missing.
@@ -310,7 +310,7 @@ fn a_sum_of_many_algebras() {
         let [i, j, k] = [i, j, k].map(|index| first + index);
         StructureEntry { i, j, k, value: 1.0 }
     });
-    let table = structure_table(193, &entries.collect::<Vec<_>>()).unwrap();
+    let table = table_of_entries(193, &entries.collect::<Vec<_>>()).unwrap();
     let spins = Coordinates::new().vector("S", 3).unwrap().repeated(64).unwrap();
     let found = find_casimirs_of_table(&table, &spins.scalar("z").unwrap()).unwrap();
     assert_eq!((found.formulas().len(), found.missing()), (65, 0));

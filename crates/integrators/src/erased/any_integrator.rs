@@ -47,17 +47,51 @@ impl AnyIntegrator {
     where
         I: Start<State: Vector, Momentum: Vector> + Send + Sync + 'static,
     {
-        Self(Box::new(erased(integrator, dimension)))
+        Self(Box::new(small(integrator, dimension)))
+    }
+
+    /// Hides the type of an integrator whose states are as large as `state`, and its momenta as large as `momentum`.
+    ///
+    /// # Example
+    /// Point vortices, say, of which there are as many as a file lists:
+    /// ```
+    /// use collective_integrators::{AnyIntegrator, AnyState, Direct, Integrator, RungeKutta, Start, from_fn};
+    /// use lie_poisson::{Sites, State};
+    /// use nalgebra::Vector1;
+    /// let decay = from_fn(|z: &Sites<Vector1<f64>>| z.iter().map(|z| -z).collect::<Sites<_>>());
+    /// let sites = Sites::new(vec![Vector1::new(0.0); 50]);
+    /// let rk4 = AnyIntegrator::of_states(Direct::new(RungeKutta::rk4(), decay), &sites, &sites);
+    /// let end = rk4.after(&AnyState::from_slice(&[1.0; 50]), 0.01, 100)?.momentum;
+    /// assert!(end.as_slice().iter().all(|z| (z - (-1.0_f64).exp()).abs() < 1e-10));
+    /// # Ok::<(), collective_integrators::RunError>(())
+    /// ```
+    pub fn of_states<I>(integrator: I, state: &I::State, momentum: &I::Momentum) -> Self
+    where
+        I: Start<Momentum: State> + Send + Sync + 'static,
+    {
+        Self(Box::new(erased(integrator, state, (momentum, momentum.dimension()))))
     }
 }
 
 impl AnyIntegrator<dyn AnyTangents> {
+    /// Hides the type of an integrator that has tangent maps, as [`of_states`](AnyIntegrator::of_states) does.
+    pub fn of_states_with_tangents<I>(
+        integrator: I,
+        state: &StateOf<I>,
+        momentum: &MomentumOf<I>,
+    ) -> Self
+    where
+        I: Start<Momentum: State> + TangentIntegrator + Send + Sync + 'static,
+    {
+        Self(Box::new(erased(integrator, state, (momentum, momentum.dimension()))))
+    }
+
     /// Hides the type of an integrator that has tangent maps, as [`new`](AnyIntegrator::new) does.
     pub fn with_tangents<I>(integrator: I, dimension: usize) -> Self
     where
         I: Start<State: Vector, Momentum: Vector> + TangentIntegrator + Send + Sync + 'static,
     {
-        Self(Box::new(erased(integrator, dimension)))
+        Self(Box::new(small(integrator, dimension)))
     }
 
     /// Hides the tangent maps, too.
@@ -81,13 +115,31 @@ impl<K: ?Sized + AnyStart> AnyIntegrator<K> {
     }
 }
 
-fn erased<I: Start<State: Vector, Momentum: Vector>>(
+/// An integrator with the spaces of its states and momenta.
+type ErasedOf<I> = Erased<I, ShapeOf<StateOf<I>>, ShapeOf<MomentumOf<I>>>;
+
+type StateOf<I> = <I as Integrator>::State;
+type MomentumOf<I> = <I as Integrator>::Momentum;
+type ShapeOf<V> = <V as State>::Shape;
+
+fn small<I: Start<State: Vector, Momentum: Vector>>(
     integrator: I,
     dimension: usize,
-) -> Erased<I, <I::State as State>::Shape> {
-    let shape = I::State::from_coordinates(|_| 0.0).shape();
-    let momenta = BlockEnds::of(&I::Momentum::from_coordinates(|_| 0.0), dimension);
-    Erased { integrator, shape, momenta }
+) -> ErasedOf<I> {
+    let (state, momentum) = (Vector::from_coordinates(|_| 0.0), Vector::from_coordinates(|_| 0.0));
+    erased(integrator, &state, (&momentum, dimension))
+}
+
+/// Hides the type of an integrator on states and momenta as large as these. The first coordinates of the momenta,
+/// `dimension` of them, are those of the system.
+fn erased<I: Start<Momentum: State>>(
+    integrator: I,
+    state: &StateOf<I>,
+    (momentum, dimension): (&MomentumOf<I>, usize),
+) -> ErasedOf<I> {
+    let shapes = (state.shape(), momentum.shape());
+    let dimensions = (state.dimension(), momentum.dimension());
+    Erased { integrator, shapes, dimensions, momenta: BlockEnds::of(momentum, dimension) }
 }
 
 impl<K: ?Sized> fmt::Debug for AnyIntegrator<K> {

@@ -1,7 +1,7 @@
 //! A vector whose dimension is known only when the program runs: [`AnyState`].
 
 use crate::stages::flat_state::Four;
-use lie_poisson::{Real, State};
+use lie_poisson::{Blocks, Real, State};
 use smallvec::SmallVec;
 
 /// The number of coordinates that need no storage on the heap.
@@ -102,6 +102,37 @@ impl<T: Real> Clone for AnyState<T> {
     fn clone(&self) -> Self {
         Self { values: SmallVec::from_slice(&self.values), blocks: self.blocks }
     }
+
+    /// Copies into the storage that is there, if it has the size.
+    fn clone_from(&mut self, other: &Self) {
+        if self.values.len() == other.values.len() {
+            self.values.copy_from_slice(&other.values);
+        } else {
+            self.values = SmallVec::from_slice(&other.values);
+        }
+        self.blocks = other.blocks;
+    }
+}
+
+/// Raises the largest magnitude in each block to those of the numbers, and adds all magnitudes to the sum. Each block is a
+/// part of a slice, so that it is found once.
+fn measure<T: Real>(
+    BlockEnds(ends): BlockEnds,
+    numbers: impl Iterator<Item = T>,
+    largest: &mut Four<T>,
+    sum: &mut T,
+) {
+    let (mut numbers, mut begin) = (numbers, 0);
+    for (block, end) in ends.into_iter().enumerate() {
+        let mut most = largest.at(block);
+        for number in numbers.by_ref().take(end.saturating_sub(begin)) {
+            let size = number.magnitude();
+            most = size.maximum(most);
+            *sum += size;
+        }
+        largest.set(block, most);
+        begin = end;
+    }
 }
 
 impl<T: Real> State for AnyState<T> {
@@ -148,6 +179,19 @@ impl<T: Real> State for AnyState<T> {
     fn block(&self, i: usize) -> usize {
         let BlockEnds([first, second, third, _]) = self.blocks;
         usize::from(i >= first) + usize::from(i >= second) + usize::from(i >= third)
+    }
+
+    fn set_coordinates(&mut self, f: impl Fn(usize) -> T) {
+        self.values.iter_mut().enumerate().for_each(|(i, value)| *value = f(i));
+    }
+
+    fn measure(&self, largest: &mut Four<T>, sum: &mut T) {
+        measure(self.blocks, self.values.iter().copied(), largest, sum);
+    }
+
+    fn measure_difference(&self, x: &Self, largest: &mut Four<T>, sum: &mut T) {
+        let differences = (0..self.values.len()).map(|i| self.values[i] - x.coordinate(i));
+        measure(self.blocks, differences, largest, sum);
     }
 
     fn scale_in_place(&mut self, s: T) {

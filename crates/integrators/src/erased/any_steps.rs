@@ -8,7 +8,7 @@ use crate::schemes::scheme::Step;
 use core::any::Any;
 use core::fmt;
 use core::ops::Range;
-use lie_poisson::{DualNumber, Real, State, Vector};
+use lie_poisson::{DualNumber, Real, State};
 use momentum_map::LiftError;
 
 /// The storage of the steps of any integrator.
@@ -95,21 +95,23 @@ pub trait AnyTangents: AnyStart + AnySteps<DualNumber> {}
 impl<I: AnyStart + AnySteps<DualNumber>> AnyTangents for I {}
 
 /// An integrator on momenta whose first coordinates are those of the system. The others are zero.
-pub(super) struct Erased<I, S> {
+pub(super) struct Erased<I, S, M> {
     pub(super) integrator: I,
-    /// The shape of the states.
-    pub(super) shape: S,
+    /// The shapes of the states and of the momenta.
+    pub(super) shapes: (S, M),
+    /// The dimensions of the states and of the momenta.
+    pub(super) dimensions: (usize, usize),
     /// The blocks of the coordinates of the system.
     pub(super) momenta: BlockEnds,
 }
 
-impl<I, S> Erased<I, S> {
+impl<I, S, M> Erased<I, S, M> {
     /// Returns the state with these coordinates in the type of the integrator.
     fn typed<T: Real>(&self, state: &AnyState<T>) -> I::State
     where
         I: Integrator<T, State: State<Shape = S>>,
     {
-        let mut typed = I::State::zeros_of(&self.shape);
+        let mut typed = I::State::zeros_of(&self.shapes.0);
         let values = state.as_slice();
         // The compiler knows the number of coordinates in the first case.
         match values.get(..typed.dimension()) {
@@ -162,10 +164,11 @@ impl<T: Real, I: Integrator<T>> Integrator<T> for Once<'_, I> {
     }
 }
 
-impl<I, S, T: Real> AnySteps<T> for Erased<I, S>
+impl<I, S, M, T: Real> AnySteps<T> for Erased<I, S, M>
 where
     I: Integrator<T, State: State<Shape = S>> + Send + Sync + 'static,
     S: Send + Sync,
+    M: Send + Sync,
 {
     fn workspace(&self) -> AnyWorkspace {
         AnyWorkspace(Box::new(self.integrator.workspace()))
@@ -212,21 +215,23 @@ where
     }
 }
 
-impl<I, S> AnyStart for Erased<I, S>
+impl<I, S, M> AnyStart for Erased<I, S, M>
 where
-    I: Start<State: State<Shape = S>, Momentum: Vector> + Send + Sync + 'static,
+    I: Start<State: State<Shape = S>, Momentum: State<Shape = M>> + Send + Sync + 'static,
     S: Send + Sync,
+    M: Send + Sync,
 {
     fn start(&self, mu: &AnyState) -> Result<AnyState, LiftError> {
-        let typed = Vector::from_coordinates(|i| mu.coordinate(i));
+        let mut typed = I::Momentum::zeros_of(&self.shapes.1);
+        typed.set_coordinates(|i| mu.coordinate(i));
         Ok(AnyState::of(&self.integrator.start(&typed)?))
     }
 
     fn state_dimension(&self) -> usize {
-        I::State::zeros_of(&self.shape).dimension()
+        self.dimensions.0
     }
 
     fn states_are_momenta(&self) -> bool {
-        AnyStart::state_dimension(self) == <I::Momentum as Vector>::DIM
+        self.dimensions.0 == self.dimensions.1
     }
 }

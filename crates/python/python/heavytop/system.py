@@ -43,7 +43,7 @@ class System(SystemDescription):
 
     Raises:
         ValueError: if the formula is none, with the place in its text; if the brackets break the Jacobi identity; if there
-            are more than 15 coordinates; or if names clash.
+            are more than 256 coordinates; or if names clash.
         TypeError: if a function branches on the state, or returns no scalar.
 
     Example:

@@ -67,7 +67,7 @@ pub(crate) struct GrowthTask<'a> {
 type Motion = AnyIntegrator<dyn AnyTangents>;
 
 impl GrowthTask<'_> {
-    /// Follows the tangent vectors, in a space that may be completed to 3, 6, 10 or 15 dimensions.
+    /// Follows the tangent vectors, in a space that may be completed to 3 or 6 dimensions.
     ///
     /// # Errors
     /// Returns the reason why the integrator has no such tangent vectors, or why a step fails.

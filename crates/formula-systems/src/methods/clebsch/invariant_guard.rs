@@ -18,7 +18,7 @@ use momentum_map::LiftError;
 /// with the largest S and r of the states before the step. A state that has left its orbit, or its level of the energy, by
 /// more is wrong, even if it solves the equations of the step. For steps that resolve the motion the inequality holds with
 /// room, since r is a bound and the constants of the methods are small.
-pub(super) struct InvariantGuard<I> {
+pub(in crate::methods) struct InvariantGuard<I> {
     integrator: I,
     guarded: Guarded,
 }
@@ -36,7 +36,7 @@ struct Guarded {
 const ROUND_OFF: f64 = 1e-9;
 
 /// The storage of guarded steps: that of the integrator, and what changes are compared with.
-pub(super) struct GuardedWorkspace<W, V> {
+pub(in crate::methods) struct GuardedWorkspace<W, V> {
     inner: W,
     /// The end of the last step.
     end: Option<V>,
@@ -58,7 +58,7 @@ struct Record {
 
 impl<I> InvariantGuard<I> {
     /// Guards an integrator of this order for a system. Its momenta begin with those of the system.
-    pub(super) fn new(integrator: I, order: usize, system: &FormulaSystem) -> Self {
+    pub(in crate::methods) fn new(integrator: I, order: usize, system: &FormulaSystem) -> Self {
         let invariants = core::iter::once(system.hamiltonian()).chain(system.casimirs());
         let guarded = Guarded {
             order: i32::try_from(order).unwrap_or(i32::MAX),

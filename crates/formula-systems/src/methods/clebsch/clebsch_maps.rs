@@ -11,17 +11,18 @@ use nalgebra::{SVector, Vector1};
 /// The adjoint or the coadjoint representation, extended by a cocycle so that it sees the centre. It is one type, so that
 /// integrators on both are compiled once.
 #[derive(Clone)]
-pub(super) enum Extended<const N: usize> {
+pub(in crate::methods) enum Extended<const N: usize> {
     Adjoint(ExtendedAdjoint<StructureConstants<N>>),
     Coadjoint(ExtendedCoadjoint<StructureConstants<N>>),
 }
 
 /// The map of two copies of such a representation.
-pub(super) type ClebschMap<const N: usize> = ClebschRealisation<Diagonal<Extended<N>, 2>>;
+pub(in crate::methods) type ClebschMap<const N: usize> =
+    ClebschRealisation<Diagonal<Extended<N>, 2>>;
 
 /// Returns the map of the adjoint representation. If a momentum has no lift, it is that of the coadjoint representation.
 /// The algebra is that of a dimension, completed to N. `missing` is the error of an algebra that has no map.
-pub(super) fn clebsch_map<const N: usize>(
+pub(in crate::methods) fn clebsch_map<const N: usize>(
     (table, dimension): (StructureConstants<N>, usize),
     mu: &Momentum<StructureConstants<N>>,
     missing: impl Fn() -> FormulaSystemError,

@@ -1,0 +1,127 @@
+//! A Lie algebra with names, of which expressions are made: [`Part`].
+
+use crate::algebras::system_algebra::Family;
+use crate::error::FormulaSystemError;
+use lie_poisson_formulas::{Coordinates, StructureEntry};
+use nalgebra::DMatrix;
+
+/// A Lie algebra with names for the coordinates of its dual, and the representation by which it acts on vectors.
+#[derive(Clone)]
+pub(in crate::algebras) struct Part {
+    pub(in crate::algebras) coordinates: Coordinates,
+    /// The structure constants, of each pair of basis vectors once.
+    pub(in crate::algebras) constants: Vec<StructureEntry>,
+    /// The representation that a semidirect product with Rⁿ or Cⁿ takes.
+    pub(super) acts: Option<Representation>,
+    pub(in crate::algebras) family: Family,
+}
+
+/// Real matrices, one for each basis vector, on Rⁿ or on Cⁿ as R²ⁿ.
+#[derive(Clone)]
+pub(super) struct Representation {
+    pub(super) matrices: Vec<DMatrix<f64>>,
+    pub(super) space: Space,
+}
+
+/// A space of vectors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Space {
+    /// Rⁿ
+    Real(usize),
+    /// Cⁿ, with the coordinates Re v₁, Im v₁, Re v₂, …
+    Complex(usize),
+}
+
+impl Space {
+    /// Returns the dimension over the reals.
+    pub(super) fn dimension(self) -> usize {
+        match self {
+            Self::Real(n) => n,
+            Self::Complex(n) => 2 * n,
+        }
+    }
+
+    /// Returns the text that names the space.
+    pub(super) fn name(self) -> String {
+        match self {
+            Self::Real(n) => format!("R{n}"),
+            Self::Complex(n) => format!("C{n}"),
+        }
+    }
+
+    /// Returns the name of the vectors of its dual.
+    fn symbol(self) -> &'static str {
+        match self {
+            Self::Real(_) => "Gamma",
+            Self::Complex(_) => "alpha",
+        }
+    }
+}
+
+impl Part {
+    /// Returns the direct sum with another algebra.
+    pub(super) fn plus(self, other: &Self) -> Result<Self, FormulaSystemError> {
+        let first = self.coordinates.dimension();
+        let coordinates = self.coordinates.then(&other.coordinates)?;
+        let constants = self.constants.iter().copied().chain(moved(&other.constants, first));
+        let family = self.family.with(other.family);
+        Ok(Self { coordinates, constants: constants.collect(), acts: None, family })
+    }
+
+    /// Returns the direct sum of so many copies.
+    pub(super) fn power(self, count: usize) -> Result<Self, FormulaSystemError> {
+        if count == 1 {
+            return Ok(self);
+        }
+        let dimension = self.coordinates.dimension();
+        let coordinates = self.coordinates.repeated(count)?;
+        let copies = (0..count).flat_map(|copy| moved(&self.constants, copy * dimension));
+        let family = self.family.with(self.family);
+        Ok(Self { constants: copies.collect(), coordinates, acts: None, family })
+    }
+
+    /// Returns the semidirect product with `copies` of the space on which the algebra acts, or `None` if it acts on none.
+    ///
+    /// Its bracket is [(ξ, v), (η, w)] = ([ξ, η], ξw − ηv). Translations act trivially on further vectors.
+    pub(super) fn acting(self, copies: usize) -> Option<Result<Self, FormulaSystemError>> {
+        let Representation { matrices, space } = self.acts.clone()?;
+        let (first, n) = (self.coordinates.dimension(), space.dimension());
+        let mut constants = self.constants.clone();
+        for (copy, (i, matrix)) in
+            (0..copies).flat_map(|copy| matrices.iter().enumerate().map(move |of| (copy, of)))
+        {
+            let start = first + copy * n;
+            let entries = (0..n).flat_map(|j| (0..n).map(move |k| (j, k, matrix[(k, j)])));
+            constants.extend(
+                entries.filter(|(_, _, value)| *value != 0.0).map(|(j, k, value)| StructureEntry {
+                    i,
+                    j: start + j,
+                    k: start + k,
+                    value,
+                }),
+            );
+        }
+        let vectors = Coordinates::new().vector(space.symbol(), n);
+        let vectors =
+            vectors.and_then(|one| if copies == 1 { Ok(one) } else { one.repeated(copies) });
+        let coordinates = vectors.and_then(|vectors| self.coordinates.then(&vectors));
+        let none = vec![DMatrix::zeros(n, n); copies * n];
+        let acts = Representation { matrices: [matrices, none].concat(), space };
+        Some(coordinates.map_err(FormulaSystemError::Coordinates).map(|coordinates| Self {
+            coordinates,
+            constants,
+            acts: Some(acts),
+            family: Family::Other,
+        }))
+    }
+}
+
+/// Returns structure constants of basis vectors that come after `first` others.
+fn moved(constants: &[StructureEntry], first: usize) -> impl Iterator<Item = StructureEntry> + '_ {
+    constants.iter().map(move |entry| StructureEntry {
+        i: entry.i + first,
+        j: entry.j + first,
+        k: entry.k + first,
+        value: entry.value,
+    })
+}
