@@ -6,7 +6,7 @@ use crate::names::vocabulary::Vocabulary;
 use crate::tapes::tape::Tape;
 use crate::text::expressions::{Expression, Expressions};
 use crate::text::formula_error::FormulaError;
-use crate::text::parser::parse;
+use crate::text::parsing::parser::parse;
 use crate::text::printer::print;
 use crate::text::syntax::Syntax;
 use core::fmt;
@@ -78,7 +78,7 @@ impl Formula {
     /// # Ok::<(), lie_poisson_formulas::NameError>(())
     /// ```
     pub fn new(text: &str, names: &Vocabulary) -> Result<Self, FormulaError> {
-        Self::of_syntax(parse(text)?, names, 0..text.len())
+        Self::of_syntax(parse(text, names)?, names, 0..text.len())
     }
 
     /// Creates a formula from one of the expressions that a program has built.

@@ -4,7 +4,7 @@
 pub(crate) const RESERVED: &[&str] = &[
     "pi", "dot", "cross", "norm", "abs", "sqrt", "exp", "ln", "log", "sin", "cos", "tan", "sinh",
     "cosh", "tanh", "atan2", "arcsin", "asin", "arccos", "acos", "arctan", "atan", "log10", "cbrt",
-    "hypot", "if",
+    "hypot", "if", "sum",
 ];
 
 /// The names of the Greek letters, from alpha to omega; the second sigma is the final one.

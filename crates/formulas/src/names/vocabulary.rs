@@ -88,9 +88,22 @@ impl Vocabulary {
         &self.coordinates
     }
 
-    /// Returns the meaning of a name in plain letters.
+    /// Returns the meaning of a name in plain letters. `S3` is `S_3` where there is no `S3`.
     pub(crate) fn meaning(&self, name: &str) -> Option<&Meaning> {
-        self.meanings.get(name)
+        self.meanings.get(name).or_else(|| {
+            let symbol = name.trim_end_matches(|digit: char| digit.is_ascii_digit());
+            let number = name.strip_prefix(symbol).filter(|number| !number.is_empty())?;
+            self.meanings.get(&format!("{symbol}_{number}"))
+        })
+    }
+
+    /// Returns the dimension of a vector of this name.
+    pub(crate) fn dimension(&self, name: &str) -> Option<usize> {
+        match self.meaning(name)? {
+            Meaning::Coordinates(_, dimension) => Some(*dimension),
+            Meaning::Numbers(values) => Some(values.len()),
+            _ => None,
+        }
     }
 
     /// Returns all names, in alphabetical order.

@@ -245,7 +245,7 @@ mod tests {
     use crate::names::coordinates::Coordinates;
     use crate::names::parameters::Parameters;
     use crate::names::vocabulary::Vocabulary;
-    use crate::text::parser::parse;
+    use crate::text::parsing::parser::parse;
 
     /// Returns the numbers of instructions of the value, the gradient and the second derivative.
     fn lengths(text: &str) -> [usize; 3] {
@@ -253,7 +253,7 @@ mod tests {
         let parameters = Parameters::new().vector("I", &[2.0, 3.0, 4.0]).unwrap();
         let names = Vocabulary::new(&coordinates, &parameters).unwrap();
         let mut graph = Graph::default();
-        let value = elaborate(&parse(text).unwrap(), &names, &mut graph).unwrap();
+        let value = elaborate(&parse(text, &names).unwrap(), &names, &mut graph).unwrap();
         let gradient = graph.gradient(value, 6);
         let tangents = graph.tangents(&gradient, 6);
         let roots = [(vec![value], 6), (gradient, 6), (tangents, 12)];

@@ -237,9 +237,23 @@ pub enum Problem {
         /// The shape that has no such component.
         of: Shape,
     },
-    /// The index of a component is not a whole number.
-    #[error("the index of a component is a whole number from 1 on")]
+    /// The index of a component is not a whole number, nor the index of a sum.
+    #[error(
+        "the index of a component is a whole number from 1 on, or in a sum an index such as i or i+1"
+    )]
     NotAnIndex,
+    /// The index of a sum is not clear.
+    #[error(
+        "`sum` needs the indices of vectors in brackets, one as in sum(S[i]·S[i+1]), or several that are listed, as in \
+         sum(S[i]·S[j], i < j) and sum(S[i]·S[j], i, j)"
+    )]
+    SumIndex,
+    /// No value of an index fits all that it numbers.
+    #[error("this sum has no term: no value of {index} numbers something in every bracket")]
+    EmptySum {
+        /// The indices.
+        index: String,
+    },
     /// The formula is a vector.
     #[error("a Hamiltonian is a scalar, and this formula is a vector of dimension {dimension}")]
     NotAScalar {

@@ -3,8 +3,7 @@
 pub(crate) mod formula_error;
 pub(crate) mod suggestion;
 pub(crate) mod token;
-pub(crate) mod lexer;
 pub(crate) mod syntax;
 pub(crate) mod expressions;
-pub(crate) mod parser;
+pub(crate) mod parsing;
 pub(crate) mod printer;

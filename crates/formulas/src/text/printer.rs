@@ -1,6 +1,6 @@
 //! The printer: from a syntax tree to a text that parses to the same tree.
 
-use super::parser::{CHOICE, SIGN, powers};
+use super::parsing::parser::{CHOICE, SIGN, powers};
 use super::syntax::{Operator, Part, Syntax};
 
 /// How tightly a number, a name, a function or a bracket holds together.
@@ -20,6 +20,9 @@ pub(crate) fn number(value: f64) -> String {
 ///
 /// A part that is used several times is defined first, unless it is a number or a name: `s1 = …; s1*exp(s1)`.
 pub(crate) fn print(syntax: &Syntax) -> String {
+    if let Some(text) = syntax.text() {
+        return text.into();
+    }
     let (uses, mut shared) = (syntax.uses(), Shared::new(syntax));
     // Each part is printed once and becomes a piece of the part that contains it.
     let mut printed: Vec<(String, u8)> = Vec::new();

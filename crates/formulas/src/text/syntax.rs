@@ -132,6 +132,8 @@ pub(crate) struct Syntax {
     /// The bytes of each operator, name, number or function in the text.
     spans: Vec<Range<usize>>,
     names: Vec<String>,
+    /// The text, if it has sums over an index, which would be long if they were written out.
+    text: Option<String>,
 }
 
 impl PartialEq for Syntax {
@@ -146,6 +148,34 @@ impl Syntax {
         self.parts.push(part);
         self.spans.push(span);
         self.parts.len() - 1
+    }
+
+    /// Returns the tree with a text that prints it.
+    pub(crate) fn written(self, text: &str) -> Self {
+        Self { text: Some(text.into()), ..self }
+    }
+
+    /// Returns the text that prints the tree, if it has one.
+    pub(crate) fn text(&self) -> Option<&str> {
+        self.text.as_deref()
+    }
+
+    /// Returns the name that a part is.
+    pub(crate) fn name_of(&self, place: usize) -> Option<&str> {
+        match self.parts.get(place) {
+            Some(Part::Name(name)) => Some(self.name(*name)),
+            _ => None,
+        }
+    }
+
+    /// Replaces the name that a part is, and returns the place of the part.
+    pub(crate) fn rename(&mut self, place: usize, name: String) -> usize {
+        if let Some(&Part::Name(own)) = self.parts.get(place)
+            && let Some(old) = self.names.get_mut(own)
+        {
+            *old = name;
+        }
+        place
     }
 
     /// Adds a name and returns the place of the part.

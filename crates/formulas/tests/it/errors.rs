@@ -26,8 +26,16 @@ fn errors_name_the_place_and_the_remedy() {
         ("Pi1, Pi2", ",", "there is no open bracket or function to which this `,` belongs"),
         ("|Pi", "|", "this `|` is not closed by `|`"),
         ("Pi[1", "[", "this `[` is not closed by `]`"),
-        ("Pi[0]", "0", "the index of a component is a whole number from 1 on"),
-        ("Pi[1.5]", "1.5", "the index of a component is a whole number from 1 on"),
+        (
+            "Pi[0]",
+            "0",
+            "the index of a component is a whole number from 1 on, or in a sum an index such as i or i+1",
+        ),
+        (
+            "Pi[1.5]",
+            "1.5",
+            "the index of a component is a whole number from 1 on, or in a sum an index such as i or i+1",
+        ),
         (
             "Pi[4]",
             "4",

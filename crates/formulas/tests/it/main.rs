@@ -8,5 +8,6 @@ mod errors;
 mod expressions;
 mod language;
 mod random_texts;
+mod sums;
 mod support;
 mod tables;

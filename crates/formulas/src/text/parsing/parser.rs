@@ -1,17 +1,21 @@
 //! The parser: from a text to its syntax tree, by the binding powers of operators (V. Pratt, *Top down operator
 //! precedence*, POPL 1973).
 
-use super::formula_error::{FormulaError, MOST_LEVELS, Problem};
 use super::lexer::tokens;
-use super::suggestion::closest;
-use super::syntax::{Function, Operator, Part, Syntax};
-use super::token::{Placed, Token};
+use crate::names::vocabulary::Vocabulary;
+use crate::text::formula_error::{FormulaError, MOST_LEVELS, Problem};
+use crate::text::suggestion::closest;
+use crate::text::syntax::{Function, Operator, Part, Syntax};
+use crate::text::token::{Placed, Token};
 use core::ops::Range;
 
 /// The name of the form with a condition: `if(x >= 0, y, z)`.
 pub(crate) const CHOICE: &str = "if";
 
-type Parsed<T> = Result<T, FormulaError>;
+/// The name of the form with an index: `sum(S[i]·S[i+1])`.
+pub(crate) const SUM: &str = "sum";
+
+pub(super) type Parsed<T> = Result<T, FormulaError>;
 
 /// How tightly a sign binds its operand: more than a product, less than a power.
 pub(crate) const SIGN: u8 = 7;
@@ -27,38 +31,48 @@ pub(crate) const fn powers(operator: Operator) -> (u8, u8) {
     }
 }
 
-/// Returns the syntax tree of a text.
-pub(crate) fn parse(text: &str) -> Parsed<Syntax> {
-    let tokens = tokens(text)?;
-    let mut parser = Parser { tokens, place: 0, level: 0, syntax: Syntax::default() };
+/// Returns the syntax tree of a text. The names tell how far indices of sums go.
+pub(crate) fn parse(text: &str, names: &Vocabulary) -> Parsed<Syntax> {
+    let (tokens, syntax) = (tokens(text)?, Syntax::default());
+    let mut parser = Parser { tokens, names, place: 0, level: 0, bound: Vec::new(), syntax };
     if parser.peek().token == Token::End {
         return Err(FormulaError::new(0..0, Problem::Empty));
     }
     parser.expression(0)?;
     parser.end()?;
-    Ok(parser.syntax)
+    let has_sums = parser.tokens.iter().any(|placed| placed.token == Token::Name(SUM.into()));
+    Ok(if has_sums { parser.syntax.written(text.trim()) } else { parser.syntax })
 }
 
-struct Parser {
-    tokens: Vec<Placed>,
-    place: usize,
-    level: usize,
-    syntax: Syntax,
+/// The value of an index in the term of a sum that is read.
+pub(super) struct Bound {
+    pub(super) name: String,
+    pub(super) value: usize,
 }
 
-impl Parser {
-    fn peek(&self) -> Placed {
+pub(super) struct Parser<'a> {
+    pub(super) tokens: Vec<Placed>,
+    pub(super) names: &'a Vocabulary,
+    pub(super) place: usize,
+    pub(super) level: usize,
+    /// The indices of the sums around the next token.
+    pub(super) bound: Vec<Bound>,
+    pub(super) syntax: Syntax,
+}
+
+impl Parser<'_> {
+    pub(super) fn peek(&self) -> Placed {
         let end = || Placed { token: Token::End, span: 0..0 };
         self.tokens.get(self.place).or_else(|| self.tokens.last()).cloned().unwrap_or_else(end)
     }
 
-    fn take(&mut self) -> Placed {
+    pub(super) fn take(&mut self) -> Placed {
         let taken = self.peek();
         self.place += 1;
         taken
     }
 
-    fn take_if(&mut self, token: &Token) -> bool {
+    pub(super) fn take_if(&mut self, token: &Token) -> bool {
         let found = self.tokens.get(self.place).is_some_and(|placed| placed.token == *token);
         self.place += usize::from(found);
         found
@@ -77,7 +91,7 @@ impl Parser {
         }
     }
 
-    fn check_level(&self) -> Parsed<()> {
+    pub(super) fn check_level(&self) -> Parsed<()> {
         let problem = Problem::TooDeep { limit: MOST_LEVELS };
         if self.level > MOST_LEVELS {
             Err(FormulaError::new(self.peek().span, problem))
@@ -87,7 +101,7 @@ impl Parser {
     }
 
     /// Parses operators that bind at least as tightly as `least`, with their operands.
-    fn expression(&mut self, least: u8) -> Parsed<usize> {
+    pub(super) fn expression(&mut self, least: u8) -> Parsed<usize> {
         self.level += 1;
         self.check_level()?;
         let mut left = self.operand()?;
@@ -171,21 +185,26 @@ impl Parser {
         };
         while let Placed { token: Token::OpenIndex, span } = self.peek() {
             self.place += 1;
-            let Placed { token, span: place } = self.take();
-            let index = match token {
-                Token::Number(value) if (1.0..=1e9).contains(&value) && value.fract() == 0.0 => {
-                    value as usize
-                }
-                _ => return Err(FormulaError::new(place, Problem::NotAnIndex)),
-            };
+            let at = self.peek().span;
+            let index = self.index()?;
             self.close(&Token::CloseIndex, span, "[", "]")?;
-            part = self.syntax.add(Part::Component(part, index), place);
+            part = self.component(part, index, at);
         }
         Ok(part)
     }
 
+    /// Adds a component of a vector, or the vector `S_3` if that is what `S[3]` must mean.
+    fn component(&mut self, part: usize, index: usize, span: Range<usize>) -> usize {
+        let numbered = self.syntax.name_of(part).filter(|name| self.names.meaning(name).is_none());
+        let numbered = numbered.map(|name| format!("{name}_{index}"));
+        match numbered.filter(|name| self.names.meaning(name).is_some()) {
+            Some(name) => self.syntax.rename(part, name),
+            None => self.syntax.add(Part::Component(part, index), span),
+        }
+    }
+
     /// Takes the closing bracket of one that was opened at `span`.
-    fn close(
+    pub(super) fn close(
         &mut self,
         token: &Token,
         span: Range<usize>,
@@ -212,6 +231,7 @@ impl Parser {
             "norm" | "abs" => Some(1),
             "dot" | "cross" => Some(2),
             CHOICE => Some(3),
+            SUM => Some(1),
             _ => function.map(|(_, function)| function.arguments()),
         };
         let opened = self.peek();
@@ -225,7 +245,8 @@ impl Parser {
             // The names of coordinates are not known here: a name counts as an unknown function if it resembles that
             // of a function.
             let names = Function::NAMES.iter().map(|(name, _)| *name);
-            let suggestion = closest(&name, names.chain(["norm", "abs", "dot", "cross", CHOICE]));
+            let suggestion =
+                closest(&name, names.chain(["norm", "abs", "dot", "cross", CHOICE, SUM]));
             let problem = match suggestion {
                 Some(_) => Problem::UnknownFunction { name, suggestion },
                 None => Problem::NotAFunction { name },
@@ -233,6 +254,9 @@ impl Parser {
             return Err(FormulaError::new(span, problem));
         };
         self.place += 1;
+        if name == SUM {
+            return self.sum(span, opened.span);
+        }
         if name == CHOICE {
             return self.choice(name, span, opened.span);
         }

@@ -1,8 +1,8 @@
 //! The tokens of a text, with their places.
 
-use super::formula_error::{FormulaError, MOST_BYTES, Problem};
-use super::token::{Comparison, Placed, Token};
 use crate::names::letters::{begins_name, canonical, continues_name};
+use crate::text::formula_error::{FormulaError, MOST_BYTES, Problem};
+use crate::text::token::{Comparison, Placed, Token};
 
 /// Returns the tokens of a text, the last of which is [`Token::End`].
 pub(crate) fn tokens(text: &str) -> Result<Vec<Placed>, FormulaError> {
