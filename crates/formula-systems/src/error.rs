@@ -27,6 +27,14 @@ pub enum FormulaSystemError {
         /// What is wrong, and what could stand there.
         problem: String,
     },
+    /// There are fewer or more symbols for the coordinates of an algebra than it has.
+    #[error("coordinates: {found} symbols; the algebra has {}: {}", own.len(), own.join(", "))]
+    Symbols {
+        /// The number of symbols.
+        found: usize,
+        /// The symbols of the algebra.
+        own: Vec<String>,
+    },
     /// There is no system of this name.
     #[error("there is no system {name}; there are {}", kinds.join(", "))]
     NoKind {
@@ -44,6 +52,16 @@ pub enum FormulaSystemError {
         name: String,
         /// The parameters of the system.
         has: Vec<String>,
+    },
+    /// A parameter of a system by name, or a part of its start, has a value that it cannot have.
+    #[error("{kind}: {name} must be {needed}")]
+    KindValue {
+        /// The name of the system.
+        kind: &'static str,
+        /// The name of the parameter.
+        name: &'static str,
+        /// What it must be, and what it is.
+        needed: String,
     },
     /// The algebra has no coordinates, or too many.
     #[error("a system has 1 to {most} coordinates, not {count}")]

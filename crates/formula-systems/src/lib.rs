@@ -66,7 +66,7 @@ mod sections;
 
 pub use algebras::structure_table::{StructureTableError, structure_table};
 pub use algebras::system_algebra::SystemAlgebra;
-pub use catalogue::system_kind::{Parameter, SystemKind};
+pub use catalogue::system_kind::{KindStart, Parameter, ParameterShape, SystemKind};
 pub use error::FormulaSystemError;
 pub use sections::system_section::SystemSection;
 pub use systems::formula_system::FormulaSystem;

@@ -38,9 +38,11 @@
 //! |---|---|
 //! | numbers | `2`, `0.5`, `6.02e23`, `½`, `pi` |
 //! | a coordinate, a component of a vector | `Pi1`, `Pi[1]`, `Π₁`, `(Pi×Gamma)[3]` |
+//! | the third of the vectors `S_1`, `S_2`, … | `S_3`, `S3`, `S[3]`; its second component is `S[3][2]` or `S_3_2` |
 //! | sums and products | `+`, `-`, `*`, `/`; a product always needs a sign |
 //! | powers, which bind most tightly and from right to left | `x^3`, `x**3`, `x²`, `2^3^2` = 2⁹, `-x^2` = −(x²) |
 //! | products of vectors | `a·b` or `dot(a, b)`; `a×b` or `cross(a, b)`, which binds more tightly: `a·b×c` |
+//! | a sum over an index, for all its values for which everything in brackets exists | `sum(S[i]·S[i+1])`; with several indices `sum(S[i]·S[j], i < j)`, `sum(S[i]·T[j], i, j)` |
 //! | the length of a vector, the size of a number | <code>&#124;v&#124;</code>, `norm(v)`, `abs(x)` |
 //! | functions | `sqrt` or `√`, `cbrt`, `exp`, `ln` or `log`, `log10`, `sin`, `cos`, `tan`, `arcsin`, `arccos`, `arctan` (or `asin`, `acos`, `atan`), `sinh`, `cosh`, `tanh`, `atan2(y, x)`, `hypot(x, y)` |
 //! | different formulas in different places | `if(x >= 1, y, z)`, with `>=`, `>`, `<=` or `<`: y where x ≥ 1, and z elsewhere |

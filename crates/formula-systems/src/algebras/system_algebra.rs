@@ -194,6 +194,43 @@ impl SystemAlgebra {
         Self { name, coordinates, entries, table, family }
     }
 
+    /// Returns the algebra with other symbols for its coordinates, in the order in which their own symbols come: `S` for
+    /// so(3)^64 makes the names `S_1` to `S_64`.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Symbols`] if there are not as many symbols, and [`FormulaSystemError::Coordinates`] if
+    /// one cannot be a name.
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson_formula_systems::SystemAlgebra;
+    /// let spins = SystemAlgebra::named("so(3)^2")?.with_symbols(&["S"])?;
+    /// let names: Vec<String> = spins.coordinates().names().collect();
+    /// assert_eq!(names, ["S_1_1", "S_1_2", "S_1_3", "S_2_1", "S_2_2", "S_2_3"]);
+    /// assert!(spins.with_symbols(&["S", "T"]).is_err());
+    /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
+    /// ```
+    pub fn with_symbols(self, symbols: &[&str]) -> Result<Self, FormulaSystemError> {
+        let mut own: Vec<&str> = Vec::new();
+        for (name, _) in self.coordinates.groups() {
+            let symbol = split(name).0;
+            if !own.contains(&symbol) {
+                own.push(symbol);
+            }
+        }
+        if own.len() != symbols.len() {
+            let own = own.iter().map(ToString::to_string).collect();
+            return Err(FormulaSystemError::Symbols { found: symbols.len(), own });
+        }
+        let coordinates = self.coordinates.renamed(|name| {
+            let (symbol, number) = split(name);
+            let place = own.iter().position(|own| *own == symbol);
+            let symbol = place.and_then(|place| symbols.get(place)).unwrap_or(&symbol);
+            format!("{symbol}{number}")
+        })?;
+        Ok(Self { coordinates, ..self })
+    }
+
     /// Returns the name in messages: that of [`named`](Self::named), or "this algebra".
     #[must_use]
     pub fn name(&self) -> &str {
@@ -274,4 +311,11 @@ fn of_library<A: NamedAlgebra>(
     let table = table_of_entries(coordinates.dimension(), &entries.collect::<Vec<_>>());
     let table = table.map_err(FormulaSystemError::Structure)?;
     Ok(SystemAlgebra::of_table(name, coordinates, table, Family::Other))
+}
+
+/// Returns a name without the numbers that powers and sums put behind it, and these.
+fn split(name: &str) -> (&str, &str) {
+    let is_number = |c: char| c == '_' || c.is_ascii_digit();
+    let symbol = name.find('_').filter(|at| name[*at..].chars().all(is_number));
+    name.split_at(symbol.unwrap_or(name.len()))
 }

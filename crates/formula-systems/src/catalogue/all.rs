@@ -1,12 +1,27 @@
 //! The list of all systems by name.
 
-use super::body_with_rotors::BODY_WITH_ROTORS;
+use super::bodies::{
+    body_in_fluid::BODY_IN_FLUID, body_with_rotors::BODY_WITH_ROTORS, gyrostat::GYROSTAT,
+    rigid_body::RIGID_BODY, top_on_base::TOP_ON_BASE,
+};
+use super::fluids_and_spins::{
+    elliptical_vortex::ELLIPTICAL_VORTEX, spin_chain::SPIN_CHAIN, vortices::VORTICES,
+};
 use super::system_kind::SystemKind;
 use crate::error::FormulaSystemError;
 
 impl SystemKind {
     /// All systems by name.
-    pub const ALL: &[Self] = &[BODY_WITH_ROTORS];
+    pub const ALL: &[Self] = &[
+        BODY_IN_FLUID,
+        BODY_WITH_ROTORS,
+        ELLIPTICAL_VORTEX,
+        GYROSTAT,
+        RIGID_BODY,
+        SPIN_CHAIN,
+        TOP_ON_BASE,
+        VORTICES,
+    ];
 
     /// Returns the system of this name.
     ///

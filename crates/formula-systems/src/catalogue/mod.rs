@@ -1,5 +1,6 @@
 //! Systems by name: each in a file of its own, and in the list `SystemKind::ALL`.
 
 pub(crate) mod system_kind;
-mod body_with_rotors;
+mod bodies;
+mod fluids_and_spins;
 mod all;

@@ -3,9 +3,9 @@
 use crate::algebras::system_algebra::SystemAlgebra;
 use crate::error::FormulaSystemError;
 use crate::systems::formula_system::FormulaSystem;
-use lie_poisson_formulas::{Coordinates, Parameters};
+use lie_poisson_formulas::{NameError, Parameters};
 
-/// A system by name: its algebra, its Hamiltonian in parameters, and what they mean.
+/// A system by name: what its parameters are, and the algebra and the Hamiltonian that they make.
 ///
 /// # Example
 /// ```
@@ -22,82 +22,285 @@ use lie_poisson_formulas::{Coordinates, Parameters};
 /// assert!(kind.system(&Parameters::new()).is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub struct SystemKind {
     /// The name of the system.
     pub name: &'static str,
     /// What the system is, in a few words.
     pub about: &'static str,
-    /// The vectors of coordinates with their dimensions; 1 makes a scalar.
-    pub coordinates: &'static [(&'static str, usize)],
-    /// The brackets of pairs of coordinates that are not zero.
-    pub brackets: &'static [(&'static str, &'static str)],
-    /// The Hamiltonian, a formula in the coordinates and the parameters.
-    pub hamiltonian: &'static str,
     /// The parameters.
     pub parameters: &'static [Parameter],
+    /// Returns the system that values of all parameters describe, or the parameter with a value that it cannot have and what
+    /// it needs.
+    pub(super) describe: fn(&Given<'_>) -> Result<Description, KindError>,
+    /// Another way to give a start than by the coordinates.
+    pub start: Option<KindStart>,
 }
 
 /// A parameter of a system.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
     /// The name in the Hamiltonian.
     pub name: &'static str,
-    /// The number of components of a vector; `None` for a number.
-    pub components: Option<usize>,
+    /// Whether it is a number, or how many numbers it is.
+    pub shape: ParameterShape,
     /// What it is, with its unit.
     pub about: &'static str,
+    /// The numbers that it is unless others are given; `None` if it must be given.
+    pub default: Option<&'static [f64]>,
+}
+
+/// Whether a parameter is a number or a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ParameterShape {
+    /// One number.
+    Number,
+    /// A vector of so many numbers.
+    Vector(usize),
+    /// As many numbers as are given.
+    List,
+}
+
+/// A start that is not given by the coordinates, such as positions of vortices.
+#[derive(Clone, Copy, Debug)]
+pub struct KindStart {
+    /// The names of what is given instead.
+    pub given: &'static [Parameter],
+    /// Returns the coordinates from the parameters of the system and from what is given.
+    pub(super) coordinates: fn(&Given<'_>, &Given<'_>) -> Result<Vec<f64>, KindError>,
+}
+
+/// The reason why a value makes no system.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum KindError {
+    /// The name of the value, and what it must be.
+    Value(&'static str, String),
+    /// The algebra or the formula is refused.
+    System(Box<FormulaSystemError>),
+}
+
+impl<E: Into<FormulaSystemError>> From<E> for KindError {
+    fn from(error: E) -> Self {
+        Self::System(Box::new(error.into()))
+    }
+}
+
+/// What the parameters of a kind describe.
+pub(super) struct Description {
+    pub(super) algebra: SystemAlgebra,
+    pub(super) hamiltonian: String,
+    /// The parameters of the Hamiltonian.
+    pub(super) parameters: Parameters,
+    pub(super) has_plus_bracket: bool,
+}
+
+/// The values of all parameters, those with a default too.
+pub(super) struct Given<'a> {
+    all: &'static [Parameter],
+    values: &'a Parameters,
+}
+
+impl Given<'_> {
+    /// Returns the numbers of a parameter.
+    pub(super) fn values(&self, name: &str) -> Vec<f64> {
+        let own = self.all.iter().find(|own| own.name == name);
+        let default = own.and_then(|own| own.default).unwrap_or_default();
+        self.values.values(name).unwrap_or(default).to_vec()
+    }
+
+    /// Returns a parameter that is a number.
+    pub(super) fn number(&self, name: &str) -> f64 {
+        self.values(name).first().copied().unwrap_or(f64::NAN)
+    }
+
+    /// Returns these parameters as those of a formula.
+    pub(super) fn parameters(&self, names: &[&str]) -> Result<Parameters, NameError> {
+        names.iter().try_fold(Parameters::new(), |all, name| {
+            let is_number =
+                self.all.iter().any(|own| own.name == *name && own.shape == ParameterShape::Number);
+            match is_number {
+                true => all.number(name, self.number(name)),
+                false => all.vector(name, &self.values(name)),
+            }
+        })
+    }
+
+    /// Checks that the numbers of a parameter are positive, or not negative.
+    pub(super) fn require(&self, name: &'static str, above: Sign) -> Result<(), KindError> {
+        let allowed = |value: &f64| match above {
+            Sign::Positive => *value > 0.0,
+            Sign::NotNegative => *value >= 0.0,
+        };
+        match self.values(name).iter().find(|value| !allowed(value)) {
+            None => Ok(()),
+            Some(value) => {
+                let needed = if above == Sign::Positive { "positive" } else { "0 or positive" };
+                Err(KindError::Value(name, format!("{needed}, got {value}")))
+            }
+        }
+    }
+
+    /// Checks that three numbers are moments of inertia of a body: positive, and none larger than the sum of the others.
+    pub(super) fn require_moments(&self, name: &'static str) -> Result<(), KindError> {
+        self.require(name, Sign::Positive)?;
+        let moments = self.values(name);
+        let (sum, largest) =
+            (moments.iter().sum::<f64>(), moments.iter().fold(0.0, |a: f64, b| a.max(*b)));
+        // Rounding alone breaks no inequality.
+        match largest <= (sum - largest) * (1.0 + 4.0 * f64::EPSILON) {
+            true => Ok(()),
+            false => {
+                let needed =
+                    format!("moments of a body, none above the sum of the others, got {moments:?}");
+                Err(KindError::Value(name, needed))
+            }
+        }
+    }
+}
+
+/// The sign that numbers must have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sign {
+    Positive,
+    NotNegative,
 }
 
 impl SystemKind {
     /// Returns the system with these parameters, and its Casimirs.
     ///
     /// # Errors
-    /// Those of [`require_parameters`](Self::require_parameters).
-    pub fn system(&self, parameters: &Parameters) -> Result<FormulaSystem, FormulaSystemError> {
-        self.require_parameters(parameters)?;
-        let algebra = self.algebra()?;
-        FormulaSystem::new(algebra, self.hamiltonian, parameters)?.with_found_casimirs()
-    }
-
-    /// Returns the algebra of the system.
-    ///
-    /// # Errors
-    /// If the file of the system describes none.
-    pub fn algebra(&self) -> Result<SystemAlgebra, FormulaSystemError> {
-        let named = |all: Coordinates, (name, dimension): &(&str, usize)| match dimension {
-            1 => all.scalar(name),
-            dimension => all.vector(name, *dimension),
-        };
-        let coordinates = self.coordinates.iter().try_fold(Coordinates::new(), named)?;
-        SystemAlgebra::of_brackets(coordinates, self.brackets.iter().copied(), &Parameters::new())
-    }
-
-    /// Checks that the parameters are those of the system.
-    ///
-    /// # Errors
     /// Returns [`FormulaSystemError::KindParameter`] if a parameter is missing, has another number of components, or is none
-    /// of the system.
-    pub fn require_parameters(&self, parameters: &Parameters) -> Result<(), FormulaSystemError> {
-        let wrong = |name: &str| FormulaSystemError::KindParameter {
-            kind: self.name,
-            name: name.to_owned(),
-            has: self.parameters.iter().map(Parameter::described).collect(),
-        };
-        let given: Vec<(&str, Option<usize>)> = parameters.shapes().collect();
-        let is_given = |own: &&Parameter| given.contains(&(own.name, own.components));
-        if let Some(missing) = self.parameters.iter().find(|own| !is_given(own)) {
-            return Err(wrong(missing.name));
+    /// of the system, and [`FormulaSystemError::KindValue`] if it has a value that it cannot have.
+    pub fn system(&self, parameters: &Parameters) -> Result<FormulaSystem, FormulaSystemError> {
+        let Description { algebra, hamiltonian, parameters, has_plus_bracket } =
+            self.description(parameters)?;
+        let system = FormulaSystem::new(algebra, &hamiltonian, &parameters)?;
+        let system = if has_plus_bracket { system.with_plus_bracket()? } else { system };
+        system.with_found_casimirs()
+    }
+
+    /// Returns the system with these parameters on the algebra of one with others, whose Casimirs are not looked for again.
+    ///
+    /// # Errors
+    /// Those of [`system`](Self::system).
+    pub fn system_near(
+        &self,
+        base: &FormulaSystem,
+        parameters: &Parameters,
+    ) -> Result<FormulaSystem, FormulaSystemError> {
+        let near = self.description(parameters)?;
+        match near.algebra == *base.algebra() {
+            true => base.with_hamiltonian(&near.hamiltonian, &near.parameters),
+            false => self.system(parameters),
         }
-        let is_own = |name: &str| self.parameters.iter().any(|own| own.name == name);
-        given.iter().find(|(name, _)| !is_own(name)).map_or(Ok(()), |(name, _)| Err(wrong(name)))
+    }
+
+    /// Returns the coordinates of a start that is given in the [way of the system](Self::start), or `None` if it is given by
+    /// something else.
+    ///
+    /// # Errors
+    /// Those of [`system`](Self::system), about what is given.
+    pub fn coordinates(
+        &self,
+        parameters: &Parameters,
+        given: &Parameters,
+    ) -> Option<Result<Vec<f64>, FormulaSystemError>> {
+        let start = self.start?;
+        let is_own = |(name, _): (&str, _)| start.given.iter().any(|own| own.name == name);
+        given.shapes().any(is_own).then(|| {
+            require(self.name, start.given, given)?;
+            let system = Given { all: self.parameters, values: parameters };
+            let own = Given { all: start.given, values: given };
+            (start.coordinates)(&system, &own).map_err(|error| self.refused(error))
+        })
+    }
+
+    fn description(&self, parameters: &Parameters) -> Result<Description, FormulaSystemError> {
+        require(self.name, self.parameters, parameters)?;
+        let given = Given { all: self.parameters, values: parameters };
+        (self.describe)(&given).map_err(|error| self.refused(error))
+    }
+
+    fn refused(&self, error: KindError) -> FormulaSystemError {
+        match error {
+            KindError::Value(name, needed) => {
+                FormulaSystemError::KindValue { kind: self.name, name, needed }
+            }
+            KindError::System(error) => *error,
+        }
+    }
+}
+
+/// Checks that values are those of these parameters.
+fn require(
+    kind: &'static str,
+    all: &'static [Parameter],
+    values: &Parameters,
+) -> Result<(), FormulaSystemError> {
+    let wrong = |name: &str| FormulaSystemError::KindParameter {
+        kind,
+        name: name.to_owned(),
+        has: all.iter().map(Parameter::described).collect(),
+    };
+    let given: Vec<(&str, Option<usize>)> = values.shapes().collect();
+    for own in all {
+        let found = given.iter().find(|(name, _)| *name == own.name).map(|(_, shape)| shape);
+        let fits = found.map_or(own.default.is_some(), |found| own.shape.allows(*found));
+        if !fits {
+            return Err(wrong(own.name));
+        }
+    }
+    let is_own = |name: &str| all.iter().any(|own| own.name == name);
+    given.iter().find(|(name, _)| !is_own(name)).map_or(Ok(()), |(name, _)| Err(wrong(name)))
+}
+
+impl ParameterShape {
+    fn allows(self, components: Option<usize>) -> bool {
+        match self {
+            Self::Number => components.is_none(),
+            Self::Vector(count) => components == Some(count),
+            Self::List => components.is_some(),
+        }
     }
 }
 
 impl Parameter {
+    const fn new(name: &'static str, shape: ParameterShape, about: &'static str) -> Self {
+        Self { name, shape, about, default: None }
+    }
+
+    /// A number that must be given.
+    pub(super) const fn number(name: &'static str, about: &'static str) -> Self {
+        Self::new(name, ParameterShape::Number, about)
+    }
+
+    /// A vector that must be given.
+    pub(super) const fn vector(name: &'static str, count: usize, about: &'static str) -> Self {
+        Self::new(name, ParameterShape::Vector(count), about)
+    }
+
+    /// Numbers that must be given, as many as there are.
+    pub(super) const fn list(name: &'static str, about: &'static str) -> Self {
+        Self::new(name, ParameterShape::List, about)
+    }
+
+    /// The parameter with values that it has unless others are given.
+    pub(super) const fn or(self, default: &'static [f64]) -> Self {
+        Self { default: Some(default), ..self }
+    }
+
     fn described(&self) -> String {
-        let Self { name, components, about } = self;
-        let shape = components.map_or_else(String::new, |count| format!(" of {count} numbers"));
-        format!("{name}{shape} ({about})")
+        let Self { name, shape, about, default } = self;
+        let shape = match shape {
+            ParameterShape::Number => String::new(),
+            ParameterShape::Vector(count) => format!(" of {count} numbers"),
+            ParameterShape::List => " of any number of numbers".into(),
+        };
+        let default = match default {
+            None => String::new(),
+            Some([value]) => format!("; {value} unless given"),
+            Some(values) => format!("; {values:?} unless given"),
+        };
+        format!("{name}{shape} ({about}{default})")
     }
 }

@@ -99,7 +99,7 @@ impl Integration<'_> {
 
     /// Applies the scheme on T∗V, read through the Clebsch map, on the algebra that is completed to the dimension N.
     fn clebsch<const N: usize>(&self, scheme: AnyScheme) -> Made {
-        let hamiltonian: FormulaHamiltonian<StructureConstants<N>> = of(self.system.completed())?;
+        let hamiltonian: FormulaHamiltonian<StructureConstants<N>> = of(self.system.motion())?;
         let (map, order) = (self.clebsch_map::<N>()?, scheme.order());
         // A step of these costs so much that calls cost nothing.
         let collective = Collective::new(ByPointer(scheme), map, hamiltonian);
@@ -133,7 +133,7 @@ impl Integration<'_> {
     }
 
     fn formula_of_sites(&self) -> FormulaOfSites {
-        FormulaOfSites(self.system.hamiltonian().clone())
+        FormulaOfSites(self.system.motion().clone())
     }
 
     /// Returns the zero momentum of as many sites as the start has.
@@ -144,13 +144,13 @@ impl Integration<'_> {
     /// Applies the scheme to the equations, on the algebra that is completed to the dimension N.
     fn direct<const N: usize>(&self, scheme: AnyScheme) -> Made {
         let space = LiePoisson::minus(self.table::<N>()?);
-        let hamiltonian = of(self.system.completed())?;
+        let hamiltonian = of(self.system.motion())?;
         Ok(self.any(Direct::new(scheme, HamiltonianField { space, hamiltonian })))
     }
 
     /// Applies the scheme to the equations on an algebra of any dimension.
     fn direct_of_table(&self, scheme: AnyScheme) -> AnyIntegrator<dyn AnyTangents> {
-        let (algebra, hamiltonian) = (self.system.algebra(), self.system.hamiltonian().clone());
+        let (algebra, hamiltonian) = (self.system.algebra(), self.system.motion().clone());
         let direct =
             Direct::new(scheme, TableField { table: algebra.table().clone(), hamiltonian });
         let momentum = AnyState::from_slice(self.start);
@@ -171,7 +171,7 @@ impl Integration<'_> {
     }
 
     fn hamiltonian<A: LieAlgebra>(&self) -> Result<FormulaHamiltonian<A>, FormulaSystemError> {
-        of(self.system.hamiltonian())
+        of(self.system.motion())
     }
 
     fn impossible(&self) -> FormulaSystemError {

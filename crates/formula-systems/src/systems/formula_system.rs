@@ -10,7 +10,7 @@ use lie_poisson_formulas::{
 /// A Lie algebra 𝔤, a Hamiltonian h on its dual as a formula, and Casimirs of 𝔤.
 ///
 /// The bracket is the minus bracket: dμ/dt = ad∗_ξ μ with ξ = dh(μ), in coordinates dμ_i/dt = Σ_jk c_jik ξ_j μ_k
-/// with the structure constants [e_i, e_j] = Σ_k c_ijk e_k.
+/// with the structure constants [e_i, e_j] = Σ_k c_ijk e_k; or the [plus bracket](Self::with_plus_bracket).
 ///
 /// # Example
 /// The free relativistic rotor, with the Casimir of mass:
@@ -29,8 +29,10 @@ use lie_poisson_formulas::{
 pub struct FormulaSystem {
     algebra: SystemAlgebra,
     hamiltonian: Formula,
-    /// The Hamiltonian in the coordinates of the completed algebra.
-    completed: Formula,
+    /// Whether the bracket is the plus bracket.
+    is_plus: bool,
+    /// The Hamiltonian of the motion with the minus bracket, in the coordinates of the completed algebra.
+    motion: Formula,
     casimirs: Vec<Formula>,
     degrees: Vec<u8>,
     missing: Option<usize>,
@@ -86,7 +88,7 @@ impl FormulaSystem {
     ) -> Result<Self, FormulaSystemError> {
         let formula = |names| hamiltonian(&names).map_err(FormulaSystemError::Hamiltonian);
         let hamiltonian = formula(algebra.vocabulary(parameters)?)?;
-        let completed = if algebra.width() == algebra.dimension() {
+        let motion = if algebra.width() == algebra.dimension() {
             hamiltonian.clone()
         } else {
             formula(algebra.completed(parameters).map_err(FormulaSystemError::Parameters)?)?
@@ -94,11 +96,41 @@ impl FormulaSystem {
         Ok(Self {
             algebra,
             hamiltonian,
-            completed,
+            is_plus: false,
+            motion,
             casimirs: Vec::new(),
             degrees: Vec::new(),
             missing: None,
         })
+    }
+
+    /// Returns the system with the plus bracket, dμ/dt = −ad∗_ξ μ: that of right-invariant systems, and of spins with
+    /// ds/dt = s × B for h = −B·s.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Hamiltonian`] if the Hamiltonian is as large as a formula may be.
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+    /// use lie_poisson_formulas::Parameters;
+    /// let spin = FormulaSystem::new(SystemAlgebra::named("so(3)")?, "-2*Pi3", &Parameters::new())?;
+    /// let spin = spin.with_plus_bracket()?;
+    /// assert_eq!(spin.rate(&[1.0, 0.0, 0.0])?, [0.0, -2.0, 0.0]); // s × B
+    /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
+    /// ```
+    pub fn with_plus_bracket(self) -> Result<Self, FormulaSystemError> {
+        if self.is_plus {
+            return Ok(self);
+        }
+        let motion = self.motion.negated().map_err(FormulaSystemError::Hamiltonian)?;
+        Ok(Self { is_plus: true, motion, ..self })
+    }
+
+    /// Returns whether the bracket is the plus bracket.
+    #[must_use]
+    pub const fn has_plus_bracket(&self) -> bool {
+        self.is_plus
     }
 
     /// Returns the system with the polynomial Casimirs up to degree 4, which
@@ -137,6 +169,7 @@ impl FormulaSystem {
         parameters: &Parameters,
     ) -> Result<Self, FormulaSystemError> {
         let other = Self::new(self.algebra.clone(), hamiltonian, parameters)?;
+        let other = if self.is_plus { other.with_plus_bracket()? } else { other };
         let (casimirs, degrees) = (self.casimirs.clone(), self.degrees.clone());
         Ok(Self { casimirs, degrees, missing: self.missing, ..other })
     }
@@ -153,9 +186,10 @@ impl FormulaSystem {
         &self.hamiltonian
     }
 
-    /// Returns the Hamiltonian in as many coordinates as a direct integrator has.
-    pub(crate) const fn completed(&self) -> &Formula {
-        &self.completed
+    /// Returns the Hamiltonian with which the minus bracket makes the motion, h or −h, in the coordinates of the algebra that
+    /// is completed to its [width](SystemAlgebra::width).
+    pub(crate) const fn motion(&self) -> &Formula {
+        &self.motion
     }
 
     /// Returns the Casimirs that were found; none if they have not been searched for.
@@ -194,7 +228,8 @@ impl FormulaSystem {
         Ok(())
     }
 
-    /// Returns the rate dμ/dt = ad∗_ξ μ, ξ = dh(μ), at a state: the coordinates Σ_ik c_ijk ξ_i μ_k.
+    /// Returns the rate dμ/dt = ad∗_ξ μ, ξ = dh(μ), at a state: the coordinates Σ_ik c_ijk ξ_i μ_k; with the plus bracket the
+    /// negative.
     ///
     /// # Errors
     /// Returns [`FormulaSystemError::StateLength`] if the length of the state is not the dimension.
@@ -213,12 +248,12 @@ impl FormulaSystem {
     pub fn rate(&self, state: &[f64]) -> Result<Vec<f64>, FormulaSystemError> {
         self.require_length(state)?;
         let xi = self.hamiltonian.differential_at(state);
-        let mut rate = vec![0.0; state.len()];
+        let (sign, mut rate) = (if self.is_plus { -1.0 } else { 1.0 }, vec![0.0; state.len()]);
         for &StructureEntry { i, j, k, value } in self.algebra.entries() {
             let at = |v: &[f64], i: usize| v.get(i).copied().unwrap_or(f64::NAN);
             for (i, j, value) in [(i, j, value), (j, i, -value)] {
                 if let Some(entry) = rate.get_mut(j) {
-                    *entry += value * at(&xi, i) * at(state, k);
+                    *entry += sign * value * at(&xi, i) * at(state, k);
                 }
             }
         }

@@ -8,7 +8,7 @@ use crate::text::expressions::{Expression, Expressions};
 use crate::text::formula_error::FormulaError;
 use crate::text::parsing::parser::parse;
 use crate::text::printer::print;
-use crate::text::syntax::Syntax;
+use crate::text::syntax::{Part, Syntax};
 use core::fmt;
 use core::ops::Range;
 use lie_poisson::{Real, Vector};
@@ -128,6 +128,26 @@ impl Formula {
     /// Creates the formula of another syntax tree in the same names.
     pub(super) fn with_syntax(&self, syntax: Syntax) -> Result<Self, FormulaError> {
         Self::of_syntax(syntax, self.names(), 0..0)
+    }
+
+    /// Returns the formula of −h.
+    ///
+    /// ```
+    /// use lie_poisson::So3;
+    /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+    /// let h = Formula::new("Pi1 + Pi2", &Vocabulary::of(&So3, &Parameters::new())?)?;
+    /// assert_eq!(h.negated()?.to_string(), "-(Pi1 + Pi2)");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Returns [`FormulaError`] if the formula is as large as a formula may be.
+    pub fn negated(&self) -> Result<Self, FormulaError> {
+        let mut syntax = self.syntax().clone();
+        if let Some(last) = syntax.parts().count().checked_sub(1) {
+            syntax.add(Part::Negate(last), 0..0);
+        }
+        self.with_syntax(syntax)
     }
 
     /// Returns the formula of the same text in other names.

@@ -188,6 +188,23 @@ impl Coordinates {
         Self { fields }
     }
 
+    /// Returns the coordinates under other names of the scalars and vectors.
+    ///
+    /// # Errors
+    /// Returns [`NameError`] if a name is malformed, reserved, or used twice.
+    ///
+    /// ```
+    /// use lie_poisson_formulas::Coordinates;
+    /// let spins = Coordinates::new().vector("Pi", 3)?.repeated(2)?;
+    /// let spins = spins.renamed(|name| name.replace("Pi", "S"))?;
+    /// assert_eq!(spins.names().last().as_deref(), Some("S_2_3"));
+    /// # Ok::<(), lie_poisson_formulas::NameError>(())
+    /// ```
+    pub fn renamed(&self, name: impl Fn(&str) -> String) -> Result<Self, NameError> {
+        let named = |all: Self, field: &Field| all.field(&name(&field.name), field.dimension);
+        self.fields.iter().try_fold(Self::new(), named)
+    }
+
     /// Returns these coordinates followed by others. If some names clash, all names get the suffixes `_1` and `_2`.
     ///
     /// # Errors

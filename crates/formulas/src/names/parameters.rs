@@ -72,6 +72,12 @@ impl Parameters {
         self.entries.iter().map(move |entry| (entry.name.as_str(), shape(entry)))
     }
 
+    /// Returns the numbers of a parameter, one for a number.
+    #[must_use]
+    pub fn values(&self, name: &str) -> Option<&[f64]> {
+        self.entries.iter().find(|entry| entry.name == name).map(|entry| entry.values.as_slice())
+    }
+
     /// Returns the parameters in the order in which they were added.
     pub(crate) fn entries(&self) -> &[Parameter] {
         &self.entries

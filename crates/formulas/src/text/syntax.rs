@@ -145,6 +145,7 @@ impl PartialEq for Syntax {
 impl Syntax {
     /// Adds a part and returns its place.
     pub(crate) fn add(&mut self, part: Part, span: Range<usize>) -> usize {
+        self.text = None;
         self.parts.push(part);
         self.spans.push(span);
         self.parts.len() - 1

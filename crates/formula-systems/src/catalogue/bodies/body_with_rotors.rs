@@ -1,6 +1,7 @@
 //! A rigid body with two rotors.
 
-use super::system_kind::{Parameter, SystemKind};
+use crate::algebras::system_algebra::SystemAlgebra;
+use crate::catalogue::system_kind::{Description, Given, KindError, Parameter, Sign, SystemKind};
 
 /// A rigid body that turns freely and carries two balanced rotors, whose axes are its first two axes, without friction or
 /// motors: Zhukovskii's and Volterra's gyrostat with rotors that are free.
@@ -17,22 +18,26 @@ use super::system_kind::{Parameter, SystemKind};
 ///
 /// Source: P. S. Krishnaprasad, *Lie–Poisson structures, dual-spin spacecraft and asymptotic stability*, Nonlinear Anal. 9
 /// (1985), 1011–1035.
-pub(super) const BODY_WITH_ROTORS: SystemKind = SystemKind {
+pub(in crate::catalogue) const BODY_WITH_ROTORS: SystemKind = SystemKind {
     name: "body-with-rotors",
     about: "a free rigid body with two rotors along its first two axes",
-    coordinates: &[("Pi", 3), ("l", 2)],
-    brackets: &[("Pi1, Pi2", "Pi3"), ("Pi2, Pi3", "Pi1"), ("Pi3, Pi1", "Pi2")],
-    hamiltonian: "(Pi1 - l1)^2/(2*I1) + (Pi2 - l2)^2/(2*I2) + Pi3^2/(2*I3) + l1^2/(2*J1) + l2^2/(2*J2)",
     parameters: &[
-        Parameter {
-            name: "I",
-            components: Some(3),
-            about: "moments without those of the rotors about their axes, kg m²",
-        },
-        Parameter {
-            name: "J",
-            components: Some(2),
-            about: "moments of the rotors about their axes, kg m²",
-        },
+        Parameter::vector("I", 3, "moments without those of the rotors about their axes, kg m²"),
+        Parameter::vector("J", 2, "moments of the rotors about their axes, kg m²"),
     ],
+    describe,
+    start: None,
 };
+
+fn describe(given: &Given<'_>) -> Result<Description, KindError> {
+    given.require("I", Sign::Positive)?;
+    given.require("J", Sign::Positive)?;
+    let hamiltonian =
+        "(Pi1 - l1)^2/(2*I1) + (Pi2 - l2)^2/(2*I2) + Pi3^2/(2*I3) + l1^2/(2*J1) + l2^2/(2*J2)";
+    Ok(Description {
+        algebra: SystemAlgebra::named("so(3) + R2")?.with_symbols(&["Pi", "l"])?,
+        hamiltonian: hamiltonian.into(),
+        parameters: given.parameters(&["I", "J"])?,
+        has_plus_bracket: false,
+    })
+}

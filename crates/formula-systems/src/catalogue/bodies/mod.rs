@@ -1,0 +1,7 @@
+//! Rigid bodies by name.
+
+pub(super) mod body_in_fluid;
+pub(super) mod body_with_rotors;
+pub(super) mod gyrostat;
+pub(super) mod rigid_body;
+pub(super) mod top_on_base;
