@@ -70,7 +70,7 @@ mod _native {
     #[pymodule_export]
     use crate::recorded::Recorded;
     #[pymodule_export]
-    use crate::systems::algebra::{coordinate_groups, hamiltonian_of_kind};
+    use crate::systems::algebra::{coordinate_groups, start_of_kind};
     #[pymodule_export]
     use crate::systems::many::{advance_system, growth_of_system};
     #[pymodule_export]

@@ -291,7 +291,7 @@ def test_a_system_by_name_is_that_of_its_formulas():
     assert pickle.loads(pickle.dumps(body)).casimirs == body.casimirs
     with pytest.raises(ValueError, match=r"J is wrong, missing or none of its parameters: body-with-rotors has .*kg m²"):
         System(kind="body-with-rotors", parameters={"I": [1, 2, 3]})
-    with pytest.raises(ValueError, match="there is no system top; there are body-with-rotors"):
+    with pytest.raises(ValueError, match="there is no system top; there are body-in-fluid"):
         System(kind="top")
     with pytest.raises(ValueError, match="write neither"):
         System("so(3)", kind="body-with-rotors", parameters=parameters)

@@ -22,5 +22,5 @@ pub use sweep::{
     TopParameter,
 };
 pub(crate) use sweep::{Spread, SweepAxis};
-pub use system::{Numbers, SystemConfig};
+pub use system::{Bracket, Numbers, SystemConfig};
 pub use top::{About, BodyConfig, Inertia, InitialConfig, LeftOut, Quantity};

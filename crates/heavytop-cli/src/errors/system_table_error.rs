@@ -29,8 +29,10 @@ pub enum SystemTableError {
     #[error("structure_constants")]
     StructureConstants(#[source] StructureTableError),
     /// A name cannot be that of a parameter.
-    #[error("parameters.{name}")]
+    #[error("{table}.{name}")]
     Parameter {
+        /// The table of the name: parameters, or initial.
+        table: &'static str,
         /// The name of the parameter.
         name: String,
         /// The error of the name.
@@ -65,13 +67,13 @@ impl SystemTableError {
                 .map(|other| (below_system(other), "leave out all but one"))
                 .to_vec(),
             Self::TwoSystems => {
-                ["hamiltonian", "algebra", "brackets", "structure_constants", "kind"]
+                ["hamiltonian", "algebra", "brackets", "structure_constants", "bracket", "kind"]
                     .map(|other| (below_system(other), "leave it out"))
                     .to_vec()
             }
             Self::StructureConstants(_) => key("system.structure_constants", ""),
             Self::SameColumn { .. } => key("system.coordinates", "choose another name"),
-            Self::Parameter { name, .. } => vec![(format!("system.parameters.{name}"), "")],
+            Self::Parameter { table, name, .. } => vec![(format!("system.{table}.{name}"), "")],
             Self::Formula(error) => keys_of(error),
             Self::NoAttitude => key("output.attitude", "write false, or leave it out"),
         }
@@ -89,14 +91,19 @@ fn keys_of(error: &FormulaSystemError) -> Vec<(String, &'static str)> {
     let key = |key: &str, note| vec![(below_system(key), note)];
     match error {
         E::Structure(_) => key("structure_constants", ""),
-        E::NoAlgebra { .. } => key("algebra", ""),
+        E::NoAlgebra { .. } | E::AlgebraText { .. } => key("algebra", ""),
+        E::Symbols { .. } => key("coordinates", ""),
         E::NoKind { .. } => key("kind", ""),
         E::KindParameter { name, .. } => [format!("parameters.{name}"), "parameters".into()]
             .into_iter()
             .chain(["kind".into()])
             .map(|of| (below_system(&of), ""))
             .collect(),
-        E::Dimension { .. } | E::Coordinates(_) => key("coordinates", ""),
+        E::KindValue { name, .. } => [format!("parameters.{name}"), format!("initial.{name}")]
+            .map(|of| (below_system(&of), ""))
+            .to_vec(),
+        E::Dimension { .. } => ["coordinates", "algebra"].map(|of| (below_system(of), "")).to_vec(),
+        E::Coordinates(_) => key("coordinates", ""),
         E::Parameters(_) => key("parameters", ""),
         E::NoPair { key: pair } => key(&format!("brackets.{pair}"), "the key is a pair, \"x, y\""),
         E::Bracket { key: pair, .. } | E::NotLinear { key: pair } => {

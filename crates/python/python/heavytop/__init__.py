@@ -12,8 +12,8 @@ Casimirs |Gamma|^2 and Pi.Gamma to round-off and the energy without drift, in ru
     >>> bool(abs(run.invariants["f1"] - 1).max() < 1e-13)
     True
 
-Any other Lie-Poisson system is a `System`: an algebra by its name or its brackets, and a Hamiltonian as a formula or as a
-Python function, which is called once.
+Any other Lie-Poisson system is a `System`: an algebra by an expression or its brackets, and a Hamiltonian as a formula or as a
+Python function, which is called once. Vortices, spins, gyrostats and other systems have classes of their own.
 
 The energy is h = (Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3)/2 + m g l c.Gamma. Signs and frames: dPi/dt = Pi x Omega + m g l Gamma x c and dGamma/dt = Gamma x Omega, where Omega = Pi / I. All numbers are
 in SI units, or in any other consistent ones.
@@ -29,6 +29,7 @@ from .directions import vertical
 from .ends import Ends
 from .ensembles import solve_many
 from .events import Event
+from .kinds import BodyInFluid, EllipticalVortex, Gyrostat, RigidBody, SpinChain, TopOnBase, Vortices
 from .methods import FORMULATIONS, SCHEMES
 from .solution import Crossings, Solution
 from .system import System
@@ -37,17 +38,24 @@ from .top import Top
 __version__ = version("heavytop")
 
 __all__ = [
+    "BodyInFluid",
     "Chaos",
     "Check",
     "Crossings",
+    "EllipticalVortex",
     "Ends",
     "Event",
     "FORMULATIONS",
+    "Gyrostat",
     "IntegrationError",
+    "RigidBody",
     "SCHEMES",
     "Solution",
+    "SpinChain",
     "System",
     "Top",
+    "TopOnBase",
+    "Vortices",
     "functions",
     "lyapunov",
     "solve_many",

@@ -79,6 +79,7 @@ class Top:
 AlgebraSource = Union[
     str,
     tuple[str],
+    tuple[str, list[str]],
     tuple[list[str], list[tuple[str, str]]],
     tuple[Union[str, list[str]], list[tuple[int, int, int, float]], int],
 ]
@@ -88,7 +89,9 @@ def coordinate_groups(
     algebra: AlgebraSource, parameters: Sequence[Parameter]
 ) -> list[tuple[str, int]]: ...
 
-def hamiltonian_of_kind(name: str, parameters: Sequence[Parameter]) -> str: ...
+def start_of_kind(
+    name: str, parameters: Sequence[Parameter], given: Sequence[Parameter]
+) -> Optional[list[float]]: ...
 
 class System:
     hamiltonian: str
@@ -96,9 +99,15 @@ class System:
     missing_casimirs: int
     structure_constants: list[tuple[int, int, int, float]]
     formulations: list[str]
+    groups: list[tuple[str, int]]
+    has_plus_bracket: bool
     def __reduce__(self) -> tuple[object, ...]: ...
     def __new__(
-        cls, algebra: AlgebraSource, hamiltonian: Source, parameters: Sequence[Parameter]
+        cls,
+        algebra: AlgebraSource,
+        hamiltonian: Optional[Source],
+        parameters: Sequence[Parameter],
+        has_plus_bracket: bool,
     ) -> System: ...
     def invariant_values(self, states: Floats) -> Floats: ...
     def rates(self, states: Floats) -> Floats: ...

@@ -17,10 +17,11 @@ Names = Union[str, list[str]]
 AlgebraSource = Union[
     str,
     tuple[str],
+    tuple[str, list[str]],
     tuple[list[str], list[tuple[str, str]]],
     tuple[Names, list[tuple[int, int, int, float]], int],
 ]
-"""A name; or the name of a system, alone in a tuple; or the names of coordinates with their brackets; or names, structure constants and the dimension."""
+"""An expression; or the name of a system, alone in a tuple; or an expression with symbols for its coordinates; or the names of coordinates with their brackets; or names, structure constants and the dimension."""
 
 
 class Algebra(NamedTuple):
@@ -41,7 +42,8 @@ def algebra_source(algebra: Algebra) -> AlgebraSource:
         if not isinstance(algebra.name, str):
             raise ValueError(f"algebra must be a name such as 'se(3)', got {algebra.name!r}")
         if algebra.coordinates is not None:
-            raise ValueError("coordinates go with brackets or structure_constants: a named algebra has its own")
+            symbols = [algebra.coordinates] if isinstance(algebra.coordinates, str) else algebra.coordinates
+            return algebra.name, [str(symbol) for symbol in symbols]
         return algebra.name
     if algebra.structure_constants is not None:
         return of_constants(algebra.structure_constants, algebra.coordinates)
@@ -88,9 +90,9 @@ def native_parameters(parameters: Mapping[str, Any]) -> tuple[list[tuple[str, li
     values: dict[str, Any] = {}
     for name, value in parameters.items():
         numbers = array(f"parameters[{name!r}]", value)
-        if numbers.ndim > 1:
-            raise ValueError(f"parameters[{name!r}] must be a number or a list of numbers, got the shape {numbers.shape}")
+        if numbers.ndim > 2:
+            raise ValueError(f"parameters[{name!r}] must be a number, or a list of numbers or of rows, got the shape {numbers.shape}")
         flat = [real(f"parameters[{name!r}]", x) for x in numbers.reshape(-1)]
-        natives.append((name, flat, numbers.ndim == 1))
-        values[name] = numbers if numbers.ndim == 1 else flat[0]
+        natives.append((name, flat, numbers.ndim > 0))
+        values[name] = numbers if numbers.ndim > 0 else flat[0]
     return natives, values

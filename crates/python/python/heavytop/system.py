@@ -21,25 +21,30 @@ class System(SystemDescription):
     """A Lie-Poisson system: a Lie algebra, and a Hamiltonian h on its dual.
 
     The equations are those of the minus bracket, dmu/dt = ad*_xi mu with xi = dh(mu), as for a top. In coordinates
-    dmu_j/dt = sum_ik c_ijk xi_i mu_k, where [e_i, e_j] = sum_k c_ijk e_k. The polynomial Casimirs up to degree 4 are found
-    from the brackets alone.
+    dmu_j/dt = sum_ik c_ijk xi_i mu_k, where [e_i, e_j] = sum_k c_ijk e_k; with the plus bracket the rate is the negative. The
+    polynomial Casimirs up to degree 4 are found from the brackets alone.
 
     Args:
-        algebra: the name of an algebra. Its coordinates are, for "so(3)", Pi; "su(2)", mu; "sl(2)", alpha, beta and gamma;
-            "se(2)", Pi (one) and Gamma (two); "se(3)", Pi and Gamma; "se(3)+R3", Pi, P and Gamma. A vector `Pi` has the
-            components `Pi1`, `Pi2` and `Pi3`.
+        algebra: an expression of up to 256 dimensions. The coordinates are, for "so(3)", Pi; "su(2)" and "su(n)", mu;
+            "sl(2)", alpha, beta and gamma; "se(2)", Pi (one) and Gamma (two); "se(3)", Pi and Gamma; "se(3)+R3", Pi, P and
+            Gamma; "so(n)" and "so(p,q)", L12, L13, ...; "sl(n,R)" and "gl(n)", M11, ...; "sp(2n,R)", Q11, R11, P11, ...;
+            "heisenberg(n)", q, p, z; "galilei", "bargmann" and "poincare(1,n)", J, K, P, H; "R3", p. Sums are "a + b", powers
+            "so(3)^64" with Pi_1, Pi_2, ..., and semidirect products "so(3) |x R3" or "so(3) |x (R3 + R3)" with vectors Gamma.
+            A vector `Pi` has the components `Pi1`, `Pi2` and `Pi3`.
         hamiltonian: a formula, such as "0.5*(Pi1^2/I1 + Pi2^2/I2) + m*g*l*c·Gamma"; or a Python function of the
             coordinates, such as `lambda x: 0.5 * x.Pi @ (x.Pi / x.I) + x.Gamma3`. A function is called once, with symbols
             instead of numbers, and computed in Rust from then on. Vectors are NumPy arrays; use the functions of NumPy or of
             `heavytop.functions`.
         parameters: numbers and vectors in the formula by name. A function has them as `x.I`, too.
         coordinates: the names of the coordinates of an algebra of your own, in their order; with structure constants also
-            the name of one vector, whose components they are.
+            the name of one vector, whose components they are; with an algebra by expression other symbols than its own,
+            such as ["S"] for "so(3)^64".
         brackets: the brackets of the algebra that are not zero, such as `{("K", "H"): "P"}` for [K, H] = P. They are sums of
             multiples of coordinates, such as "2*x - a*y" with a parameter a.
         structure_constants: instead of brackets, the array c of shape (d, d, d) with [e_i, e_j] = sum_k c[i, j, k] e_k.
         kind: instead of algebra and Hamiltonian, the name of a system of the library, such as "body-with-rotors"; its
-            parameters go in `parameters`.
+            parameters go in `parameters`. Each has a class, too: `Vortices`, `SpinChain`, `Gyrostat` and others.
+        bracket: "minus" or "plus".
 
     Raises:
         ValueError: if the formula is none, with the place in its text; if the brackets break the Jacobi identity; if there
@@ -63,6 +68,12 @@ class System(SystemDescription):
         >>> body = System(kind="body-with-rotors", parameters={"I": [1, 2, 3], "J": [0.1, 0.2]})
         >>> body.casimirs
         {'c1': 'l1', 'c2': 'l2', 'c3': '|Pi|^2'}
+
+        A chain of three spins, with the plus bracket, ds/dt = s x B for h = -B.s:
+
+        >>> chain = System("so(3)^3", "-sum(S[i]·S[i+1]) - S3[3]", coordinates=["S"], bracket="plus")
+        >>> chain.rate([1, 0, 0, 0, 1, 0, 0, 1, 0])[-3:].round(1).tolist()
+        [1.0, 0.0, 0.0]
 
         A rotor on the line, by its brackets:
 
@@ -99,7 +110,7 @@ class System(SystemDescription):
                 written with its sign or without.
             scheme: "implicit-midpoint", "gauss-4" ... "gauss-16", "explicit-midpoint", "rk4", or one of the compositions
                 "strang", "yoshida-4", "suzuki-4", "yoshida-6", "kahan-li-6" and "kahan-li-8".
-            formulation: so(3), su(2) and se(3) by name have "collective", by a Poisson map from a canonical space, which is
+            formulation: so(3), su(2), se(3) and sums of so(3) and su(2) have "collective", by a Poisson map from a canonical space, which is
                 their default, and "reduced", the same steps without a lift. With the implicit schemes and the compositions
                 both conserve every Casimir to round-off. Every algebra has "direct", which keeps quadratic Casimirs with
                 the implicit schemes. Those of dimension 2 to 6 have "collective" by a Clebsch map, too, which keeps

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from .algebras import Algebra, AlgebraSource, Brackets, algebra_source, native_parameters
+from .algebras import Algebra, Brackets, algebra_source, native_parameters
 from .arguments import array, choice, real
 from .events import Function, function_source
 from .methods import SCHEMES, tolerance_of
@@ -34,22 +34,25 @@ class SystemDescription:
         brackets: Optional[Brackets] = None,
         structure_constants: Optional[ArrayLike] = None,
         kind: Optional[str] = None,
+        bracket: Optional[str] = None,
     ) -> None:
-        numbers, self._parameters = native_parameters(parameters or {})
+        self._numbers, self._parameters = native_parameters(parameters or {})
         given = Algebra(algebra, coordinates, brackets, structure_constants)
-        source: AlgebraSource
-        if kind is not None:
-            if hamiltonian is not None or any(part is not None for part in given):
+        self._kind = None if kind is None else str(kind)
+        if self._kind is not None:
+            if hamiltonian is not None or bracket is not None or any(part is not None for part in given):
                 raise ValueError("a kind has its algebra and its Hamiltonian: write neither, or leave out kind")
-            source, hamiltonian = (str(kind),), _native.hamiltonian_of_kind(str(kind), numbers)
+            self._system = _native.System((self._kind,), None, self._numbers, False)
+            self._names = names_of_groups(self._system.groups)
         else:
             if hamiltonian is None:
                 raise ValueError("hamiltonian is missing: a formula or a function of the coordinates")
             source = algebra_source(given)
-        self._names = names_of_groups(_native.coordinate_groups(source, numbers))
-        function = function_source("hamiltonian", hamiltonian, self._names, self._parameters)
-        self._system = _native.System(source, function, numbers)
-        self._algebra = algebra or kind or "brackets"
+            self._names = names_of_groups(_native.coordinate_groups(source, self._numbers))
+            function = function_source("hamiltonian", hamiltonian, self._names, self._parameters)
+            is_plus = choice("bracket", bracket or "minus", ("minus", "plus")) == "plus"
+            self._system = _native.System(source, function, self._numbers, is_plus)
+        self._algebra = algebra or self._kind or "brackets"
 
     @property
     def dimension(self) -> int:
@@ -74,6 +77,11 @@ class SystemDescription:
     def casimirs(self) -> dict[str, str]:
         """The Casimirs that were found, by the symbols that runs give them."""
         return {f"c{i + 1}": text for i, text in enumerate(self._system.casimirs)}
+
+    @property
+    def bracket(self) -> str:
+        """The sign of the bracket, "minus" or "plus"."""
+        return "plus" if self._system.has_plus_bracket else "minus"
 
     @property
     def missing_casimirs(self) -> int:
@@ -133,6 +141,11 @@ class SystemDescription:
         return state
 
     def _by_name(self, values: Mapping[str, ArrayLike]) -> Floats:
+        if self._kind is not None:
+            given, _ = native_parameters(values)
+            start = _native.start_of_kind(self._kind, self._numbers, given)
+            if start is not None:
+                return np.array(start)
         state = np.full(self.dimension, np.nan)
         for name, value in values.items():
             if name not in self._names:

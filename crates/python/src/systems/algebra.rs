@@ -14,8 +14,10 @@ pub(crate) type ParameterArgument = (String, Vec<f64>, bool);
 pub(crate) enum AlgebraSource {
     /// The name of a system of the library, whose algebra it is.
     OfKind((String,)),
-    /// The name of an algebra of the library.
+    /// An expression.
     Named(String),
+    /// An expression, and other symbols for its coordinates.
+    Renamed(String, Vec<String>),
     /// The names of the coordinates, and the brackets of pairs of them that are not zero.
     Brackets(Vec<String>, Vec<(String, String)>),
     /// The names of the coordinates, or of one vector of them with its dimension, and the structure constants
@@ -37,8 +39,15 @@ impl AlgebraSource {
     pub(crate) fn algebra(&self, parameters: &Parameters) -> PyResult<SystemAlgebra> {
         let scalars = |names: &[String]| Coordinates::scalars(names.iter().map(String::as_str));
         match self {
-            Self::OfKind((name,)) => SystemKind::named(name).and_then(SystemKind::algebra),
+            Self::OfKind((name,)) => {
+                let system = SystemKind::named(name).and_then(|kind| kind.system(parameters));
+                system.map(|system| system.algebra().clone())
+            }
             Self::Named(name) => SystemAlgebra::named(name),
+            Self::Renamed(name, symbols) => {
+                let symbols: Vec<&str> = symbols.iter().map(String::as_str).collect();
+                SystemAlgebra::named(name).and_then(|algebra| algebra.with_symbols(&symbols))
+            }
             Self::Brackets(names, brackets) => {
                 let coordinates = scalars(names).map_err(refused)?;
                 let brackets = brackets.iter().map(|(pair, text)| (pair.as_str(), text.as_str()));
@@ -58,27 +67,39 @@ impl AlgebraSource {
     }
 }
 
-/// Returns the names of the scalars and vectors of coordinates, with their dimensions; 0 for a scalar.
-#[pyfunction]
-pub fn coordinate_groups(
-    algebra: AlgebraSource,
-    arguments: Vec<ParameterArgument>,
-) -> PyResult<Vec<(String, usize)>> {
-    let algebra = algebra.algebra(&parameters(&arguments)?)?;
+/// The names of the scalars and vectors of coordinates, with their dimensions; 0 for a scalar.
+pub(crate) type Groups = Vec<(String, usize)>;
+
+/// Returns the names and dimensions of the coordinates of an algebra.
+pub(crate) fn groups(algebra: &SystemAlgebra) -> Groups {
     let coordinates = algebra.coordinates();
     let is_scalar = |name: &str| coordinates.names().any(|own| own == name);
     let group = |(name, places): (&str, Range<usize>)| {
         (name.to_owned(), if is_scalar(name) { 0 } else { places.len() })
     };
-    Ok(coordinates.groups().map(group).collect())
+    coordinates.groups().map(group).collect()
 }
 
-/// Returns the Hamiltonian of a system of the library.
+/// Returns the names of the scalars and vectors of coordinates, with their dimensions; 0 for a scalar.
 #[pyfunction]
-pub fn hamiltonian_of_kind(name: &str, arguments: Vec<ParameterArgument>) -> PyResult<String> {
+pub fn coordinate_groups(
+    algebra: AlgebraSource,
+    arguments: Vec<ParameterArgument>,
+) -> PyResult<Groups> {
+    Ok(groups(&algebra.algebra(&parameters(&arguments)?)?))
+}
+
+/// Returns the coordinates of a start that a system of the library takes by other names, or `None` if these are not among
+/// them.
+#[pyfunction]
+pub fn start_of_kind(
+    name: &str,
+    arguments: Vec<ParameterArgument>,
+    given: Vec<ParameterArgument>,
+) -> PyResult<Option<Vec<f64>>> {
     let kind = SystemKind::named(name).map_err(refused)?;
-    kind.require_parameters(&parameters(&arguments)?).map_err(refused)?;
-    Ok(kind.hamiltonian.into())
+    let start = kind.coordinates(&parameters(&arguments)?, &parameters(&given)?);
+    start.transpose().map_err(refused)
 }
 
 /// Returns the parameters from the arguments.

@@ -1,6 +1,6 @@
 //! A Lie–Poisson system as a Python class.
 
-use super::algebra::{AlgebraSource, ParameterArgument, parameters};
+use super::algebra::{AlgebraSource, Groups, ParameterArgument, groups, parameters};
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::formulas::{FormulaSource, expressions};
@@ -12,9 +12,10 @@ use crate::runs::interruption::until_interrupted;
 use collective_integrators::diagnostics::SystemScales;
 use core::sync::atomic::Ordering;
 use heavytop::methods::{Method, MethodError};
-use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError};
+use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemKind};
 use lie_poisson_formulas::Vocabulary;
 use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::exceptions::PyValueError;
 use pyo3::types::{PyAnyMethods, PyType};
 use pyo3::{Bound, PyResult, Python, pyclass, pymethods};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -27,8 +28,8 @@ pub struct System {
     source: Source,
 }
 
-/// The arguments from which a system is made.
-type Source = (AlgebraSource, FormulaSource, Vec<ParameterArgument>);
+/// The arguments from which a system is made; a system by name has no Hamiltonian of its own.
+type Source = (AlgebraSource, Option<FormulaSource>, Vec<ParameterArgument>, bool);
 
 #[pymethods]
 impl System {
@@ -37,24 +38,52 @@ impl System {
     fn new(
         py: Python<'_>,
         algebra: AlgebraSource,
-        hamiltonian: FormulaSource,
+        hamiltonian: Option<FormulaSource>,
         arguments: Vec<ParameterArgument>,
+        has_plus_bracket: bool,
     ) -> PyResult<Self> {
-        let parameters = parameters(&arguments)?;
-        let named = algebra.algebra(&parameters)?;
-        let names = named.vocabulary(&parameters).map_err(refused)?;
-        // A formula that is refused is refused here, with its text.
-        hamiltonian.formula(&names)?;
-        let system = match &hamiltonian {
-            FormulaSource::Text(text) => FormulaSystem::new(named, text, &parameters),
-            FormulaSource::Traced(parts) => {
-                let (parts, value) = expressions(parts, names.coordinates())?;
-                FormulaSystem::of_expressions(named, &parts, value, &parameters)
+        let given = parameters(&arguments)?;
+        let system = match (&algebra, &hamiltonian) {
+            (AlgebraSource::OfKind((name,)), None) => {
+                let kind = SystemKind::named(name).map_err(refused)?;
+                py.detach(|| kind.system(&given)).map_err(refused)?
             }
+            (_, Some(hamiltonian)) => {
+                let named = algebra.algebra(&given)?;
+                let names = named.vocabulary(&given).map_err(refused)?;
+                // A formula that is refused is refused here, with its text.
+                hamiltonian.formula(&names)?;
+                let system = match hamiltonian {
+                    FormulaSource::Text(text) => FormulaSystem::new(named, text, &given),
+                    FormulaSource::Traced(parts) => {
+                        let (parts, value) = expressions(parts, names.coordinates())?;
+                        FormulaSystem::of_expressions(named, &parts, value, &given)
+                    }
+                };
+                let system = match has_plus_bracket {
+                    true => system.and_then(FormulaSystem::with_plus_bracket),
+                    false => system,
+                };
+                let find = || system.and_then(FormulaSystem::with_found_casimirs);
+                py.detach(find).map_err(refused)?
+            }
+            _ => return Err(PyValueError::new_err("write a Hamiltonian, or the name of a system")),
         };
-        let find = || system.and_then(FormulaSystem::with_found_casimirs);
-        let system = py.detach(find).map_err(refused)?;
-        Ok(Self { system, names, source: (algebra, hamiltonian, arguments) })
+        // What the user has given has names in events, too.
+        let names = system.algebra().vocabulary(&given).map_err(refused)?;
+        Ok(Self { system, names, source: (algebra, hamiltonian, arguments, has_plus_bracket) })
+    }
+
+    /// The names of the scalars and vectors of coordinates, with their dimensions; 0 for a scalar.
+    #[getter]
+    fn groups(&self) -> Groups {
+        groups(self.system.algebra())
+    }
+
+    /// The sign of the bracket.
+    #[getter]
+    fn has_plus_bracket(&self) -> bool {
+        self.system.has_plus_bracket()
     }
 
     /// Returns what pickle needs to make an equal system.

@@ -26,7 +26,9 @@ pub fn algebras() -> Vec<String> {
         |entries| SystemAlgebra::of_entries(Coordinates::scalars(["x", "y"]).unwrap(), entries);
     let beyond = vec![StructureEntry { i: 0, j: 1, k: 2, value: 1.0 }];
     vec![
-        refused(SystemAlgebra::named("so(4)")),
+        refused(SystemAlgebra::named("so4")),
+        refused(SystemAlgebra::named("so(3")),
+        refused(SystemAlgebra::named("so(3)^2").and_then(|spins| spins.with_symbols(&["S", "T"]))),
         refused(SystemAlgebra::of_entries(Coordinates::new(), Vec::new())),
         refused(named("sin")),
         refused(brackets(&[], &taken)),
@@ -48,6 +50,7 @@ pub fn algebras() -> Vec<String> {
 /// Returns the errors of Hamiltonians, states, sections and methods.
 pub fn systems_and_states() -> Vec<String> {
     let none = Parameters::new();
+    let flat = Parameters::new().vector("moments", &[1.0, 0.0, 2.0]).unwrap();
     let so3 = SystemAlgebra::named("so(3)").unwrap();
     let system = |text| FormulaSystem::new(so3.clone(), text, &Parameters::new());
     let body = system("Pi1^2 + Pi2^2/2").unwrap();
@@ -100,6 +103,7 @@ pub fn systems_and_states() -> Vec<String> {
     vec![
         refused(SystemKind::named("body-with-rotor")),
         refused(SystemKind::named("body-with-rotors").unwrap().system(&none)),
+        refused(SystemKind::named("rigid-body").unwrap().system(&flat)),
         refused(system("Pi4")),
         refused(casimirs()),
         refused(so3.state([("Pi1", &[1.0][..])])),

@@ -95,6 +95,8 @@ pub fn problems() -> Vec<String> {
         "Pi1/0",
         "ln(0)",
         "if(Pi1, 1, 2)",
+        "sum(Pi1)",
+        "sum(Pi[i]*Pi[i+3])",
     ];
     let mut found: Vec<String> = texts.iter().map(|text| refused(problem(text))).collect();
     found.push(refused(problem(&product.join("*"))));

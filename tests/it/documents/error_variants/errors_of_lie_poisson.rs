@@ -19,6 +19,7 @@ pub fn errors() -> Vec<String> {
     let identity = |i, j| if i == j { 1.0 } else { 0.0 };
     let adjoint = || StructureConstants::<3>::new(heisenberg).map(InfinitesimalAdjoint).unwrap();
     vec![
+        refused(StructureTable::new(2, [StructureEntry { i: 0, j: 1, k: 2, value: 1.0 }])),
         refused(StructureConstants::<3>::new(|_, _, _| f64::NAN)),
         refused(StructureConstants::<3>::new(|_, _, _| 1.0)),
         refused(StructureConstants::<3>::new(broken)),

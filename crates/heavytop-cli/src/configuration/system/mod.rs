@@ -5,4 +5,4 @@ mod table_file;
 mod system_config;
 
 pub use numbers::Numbers;
-pub use system_config::SystemConfig;
+pub use system_config::{Bracket, SystemConfig};

@@ -22,12 +22,16 @@ pub struct SystemConfig {
     /// The name of a system of the library, which has an algebra and a Hamiltonian.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kind: Option<String>,
-    /// The name of an algebra of the library, such as `se(3)`.
+    /// An algebra by expression, such as `se(3)` or `so(3)^64`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub algebra: Option<String>,
-    /// The names of the coordinates of an algebra that is given by its brackets.
+    /// The names of the coordinates of an algebra that is given by its brackets; or other symbols for those of an algebra
+    /// by expression.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub coordinates: Option<Vec<String>>,
+    /// The sign of the bracket; minus, unless it is written.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bracket: Option<Bracket>,
     /// The Hamiltonian, a formula.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hamiltonian: Option<String>,
@@ -43,6 +47,16 @@ pub struct SystemConfig {
     pub parameters: BTreeMap<String, Numbers>,
     /// The initial values of the coordinates, by name; those of a vector together or one by one.
     pub initial: BTreeMap<String, Numbers>,
+}
+
+/// The sign of a Lie–Poisson bracket.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Bracket {
+    /// {F, G} = −⟨μ, [dF, dG]⟩
+    Minus,
+    /// {F, G} = ⟨μ, [dF, dG]⟩
+    Plus,
 }
 
 impl SystemConfig {
@@ -97,6 +111,10 @@ impl SystemConfig {
         }
         let algebra = self.algebra(&parameters)?;
         let system = FormulaSystem::new(algebra, self.hamiltonian()?, &parameters)?;
+        let system = match self.bracket {
+            Some(Bracket::Plus) => system.with_plus_bracket()?,
+            _ => system,
+        };
         Ok(system.with_found_casimirs()?)
     }
 
@@ -110,6 +128,7 @@ impl SystemConfig {
             || self.coordinates.is_some()
             || self.hamiltonian.is_some()
             || self.structure_constants.is_some()
+            || self.bracket.is_some()
             || !self.brackets.is_empty();
         match is_described {
             true => Err(SystemTableError::TwoSystems.into()),
@@ -121,10 +140,8 @@ impl SystemConfig {
     ///
     /// # Errors
     /// If the key is missing.
-    pub(crate) fn hamiltonian(&self) -> Result<&str, SystemTableError> {
-        let of_kind = || Some(SystemKind::named(self.kind.as_deref()?).ok()?.hamiltonian);
-        let own = self.hamiltonian.as_deref();
-        own.or_else(of_kind).ok_or(SystemTableError::Missing("hamiltonian"))
+    fn hamiltonian(&self) -> Result<&str, SystemTableError> {
+        self.hamiltonian.as_deref().ok_or(SystemTableError::Missing("hamiltonian"))
     }
 
     /// Returns the system of the table, in which parameters may differ from those of `base`. The Casimirs of an algebra
@@ -134,6 +151,9 @@ impl SystemConfig {
     /// If there is no such system.
     pub(crate) fn formula_system_near(&self, base: &FormulaSystem) -> Result<FormulaSystem, Error> {
         let parameters = self.parameters()?;
+        if let Some(kind) = self.system_kind()? {
+            return Ok(kind.system_near(base, &parameters)?);
+        }
         // Parameters of an algebra are in its brackets.
         let is_same = self.brackets.is_empty() || self.algebra(&parameters)? == *base.algebra();
         match is_same {
@@ -170,6 +190,12 @@ impl SystemConfig {
     /// # Errors
     /// If a coordinate has no value, or something else has one.
     pub(crate) fn start(&self, system: &FormulaSystem) -> Result<Vec<f64>, Error> {
+        if let Some(kind) = self.system_kind()? {
+            let given = named_numbers("initial", &self.initial)?;
+            if let Some(start) = kind.coordinates(&self.parameters()?, &given) {
+                return Ok(start?);
+            }
+        }
         let values = self.initial.iter();
         let values = values.map(|(name, numbers)| (name.as_str(), numbers.values()));
         Ok(system.algebra().state(values)?)
@@ -180,21 +206,18 @@ impl SystemConfig {
     /// # Errors
     /// If a name cannot be that of a parameter.
     pub(crate) fn parameters(&self) -> Result<Parameters, SystemTableError> {
-        self.parameters.iter().try_fold(Parameters::new(), |all, (name, numbers)| {
-            let added = match numbers {
-                Numbers::One(value) => all.number(name, *value),
-                Numbers::Many(values) => all.vector(name, values),
-            };
-            added.map_err(|source| SystemTableError::Parameter { name: name.clone(), source })
-        })
+        named_numbers("parameters", &self.parameters)
     }
 
     /// Returns the algebra by name, of the brackets, or of the structure constants.
     fn algebra(&self, parameters: &Parameters) -> Result<SystemAlgebra, Error> {
         let has_brackets = !self.brackets.is_empty();
         match (&self.algebra, &self.structure_constants) {
-            (Some(name), None) if self.coordinates.is_none() && !has_brackets => {
-                Ok(SystemAlgebra::named(name)?)
+            (Some(name), None) if !has_brackets => {
+                let algebra = SystemAlgebra::named(name)?;
+                let Some(symbols) = &self.coordinates else { return Ok(algebra) };
+                let symbols: Vec<&str> = symbols.iter().map(String::as_str).collect();
+                Ok(algebra.with_symbols(&symbols)?)
             }
             (None, Some(constants)) if !has_brackets => self.of_table(constants),
             (None, None) => {
@@ -252,4 +275,18 @@ impl SystemConfig {
         let scalars = names.map(|names| Coordinates::scalars(names.iter().map(String::as_str)));
         scalars.transpose().map_err(FormulaSystemError::Coordinates)
     }
+}
+
+/// Returns the numbers of a table of `[system]`, by name.
+fn named_numbers(
+    table: &'static str,
+    numbers: &BTreeMap<String, Numbers>,
+) -> Result<Parameters, SystemTableError> {
+    numbers.iter().try_fold(Parameters::new(), |all, (name, numbers)| {
+        let added = match numbers {
+            Numbers::One(value) => all.number(name, *value),
+            Numbers::Many(values) => all.vector(name, values),
+        };
+        added.map_err(|source| SystemTableError::Parameter { table, name: name.clone(), source })
+    })
 }

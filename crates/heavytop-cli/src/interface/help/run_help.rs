@@ -132,24 +132,26 @@ of mass on it and no spin about it.
 Where [body] or [initial] is opened, by the file or by --set, the values that are left out of the
 two are told at the end, in the summary (left_out) and in the metadata.
 
-Another Lie–Poisson system instead of a top, with the minus bracket, by its algebra and a formula:
+Another Lie–Poisson system instead of a top, by its algebra and a formula:
 
   [system]
-  algebra = \"se(3)\"                # or so(3), su(2), sl(2), se(2), se(3)+R3
+  algebra = \"se(3)\"                # an expression, as below
   hamiltonian = \"½*(Π₁²/I₁ + Π₂²/I₂ + Π₃²/I₃) + mgl*c·Γ\"
   parameters = { I = [2, 2, 1], mgl = 1, c = [1, 0, 0] }
   initial = { Pi = [2, 3, 4], Gamma = [0.6, 0, 0.8] }
+  bracket = \"minus\"               # or \"plus\": ds/dt = s × B for h = −B·s on so(3)
+
+  [system]
+  algebra = \"so(3)^3\"             # three spins
+  coordinates = [\"S\"]             # other symbols than its own: S_1, S_2, S_3
+  hamiltonian = \"-sum(S[i]·S[i+1]) - S[1][3]\"
+  initial = { S_1 = [1, 0, 0], S_2 = [0, 1, 0], S_3 = [0, 0, 1] }
 
   [system]
   coordinates = [\"K\", \"H\", \"P\"]    # an algebra of your own, by its brackets
   brackets = { \"K, H\" = \"P\", \"K, P\" = \"H\" }
   hamiltonian = \"K^2/2 + H^2\"
   initial = { K = 0.1, H = 0.3, P = -0.2 }
-
-  [system]
-  kind = \"body-with-rotors\"       # a system by name, with its algebra and Hamiltonian
-  parameters = { I = [1, 2, 3], J = [0.1, 0.2] }
-  initial = { Pi = [0.3, 1, 0.2], l = [0.2, 0.1] }
 
   [system]
   structure_constants = '''       # or by lines i, j, k, value: [e_i, e_j] has the value at e_k;
@@ -160,17 +162,36 @@ Another Lie–Poisson system instead of a top, with the minus bracket, by its al
   hamiltonian = \"|mu|^2 + mu1^2\"   # relative to the configuration
   initial = { mu = [1, 2, 3] }       # without coordinates, they are a vector mu
 
-Coordinates: so(3) Pi; su(2) mu; sl(2) alpha, beta, gamma; se(2) Pi, Gamma of two components; se(3)
-Pi, Gamma; se(3)+R3 Pi, P, Gamma, as of a body in two fields. Others by brackets or a table.
-Its columns are t, the coordinates, h and the Casimirs c1, c2, ..., which are found: polynomials up
+  [system]
+  kind = \"vortices\"              # a system by name, with its algebra and Hamiltonian
+  parameters = { strengths = [1, 1, 1] }
+  initial = { positions = [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }
+
+Kinds, and their parameters (* if they may be left out):
+  body-in-fluid       inertia, masses; coordinates Pi, P
+  body-with-rotors    I, J; coordinates Pi, l
+  elliptical-vortex   strength, strain*, rotation*; initial mu, or a, b, angle*
+  gyrostat            inertia, weight, center_of_mass, rotor; coordinates Pi, Gamma
+  rigid-body          moments, of the mass along each of n axes; coordinates Pi, or L12, L13, ...
+  spin-chain          spins, exchange, anisotropy*, field*, periodic*; coordinates S_1, S_2, ...
+  top-on-base         inertia, mass, base_mass, gravity, center_of_mass; coordinates Pi, P, Gamma
+  vortices            strengths; initial positions on the unit sphere, or m_1, m_2, ...
+A kind without parameters is refused with their meaning and units.
+
+Algebras, of up to 256 dimensions, with their coordinates: so(3) Pi; su(2), su(n) mu; sl(2) alpha,
+beta, gamma; se(2) Pi, Gamma of two components; se(3) Pi, Gamma; se(3)+R3 Pi, P, Gamma, as of a body
+in two fields; so(n), so(p,q) L12, L13, ...; sl(n,R), gl(n) M11, ...; sp(2n,R) Q11, R11, P11, ...;
+heisenberg(n) q, p, z; galilei, bargmann, poincare(1,n) J, K, P, H; R3 p. Sums a + b, powers a^4, and
+semidirect products a |x R3 or a ⋉ (R3 + R3) with vectors Gamma.
+The columns are t, the coordinates, h and the Casimirs c1, c2, ..., which are found: polynomials up
 to degree 4, named in the summary and in the metadata. Formulas have + - * / ^, · and × between
 vectors, |v|, sqrt, cbrt, exp, ln, log10, sin, cos, tan, arcsin, arccos, arctan, sinh, cosh, tanh,
-atan2, hypot, if(x >= 1, y, z), pi, and Greek letters by name (Gamma1) or as they are (Γ₁); there is
-no product without *. A coordinate must not have the name of another column. so(3), su(2) and se(3)
-have the formulations collective, reduced and direct; other algebras of dimension 2 to 6 collective,
-on T*V by a Clebsch map, with a warning where its steps are not Poisson, and direct; the others
-direct, which is not Poisson. Without the key: collective on so(3), su(2) and se(3), direct
-elsewhere.
+atan2, hypot, if(x >= 1, y, z), sum(S[i]·S[i+1]), sum(S[i]·S[j], i < j), pi, and Greek letters by
+name (Gamma1) or as they are (Γ₁); there is no product without *. A coordinate must not have the name
+of another column. so(3), su(2), se(3) and sums of so(3) and su(2) have the formulations collective,
+reduced and direct; other algebras of dimension 2 to 6 collective, on T*V by a Clebsch map, with a
+warning where its steps are not Poisson, and direct; the others direct, which is not Poisson. Without
+the key: collective where there is reduced, too, and direct elsewhere.
 
 Examples:
   heavytop simulate --out kovalevskaya.csv        # the paper's top

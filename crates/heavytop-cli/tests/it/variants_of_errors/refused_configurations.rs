@@ -36,7 +36,10 @@ const RUNS: [(&str, &str); 12] = [
 /// Configurations of runs of systems, below `[system]`.
 const SYSTEMS: [(&str, &str); 8] = [
     ("SystemTableError::Missing", "algebra = 'so(3)'"),
-    ("SystemTableError::TwoAlgebras", "algebra = 'so(3)'\ncoordinates = ['x']\nhamiltonian = 'x'"),
+    (
+        "SystemTableError::TwoAlgebras",
+        "algebra = 'so(3)'\nbrackets = { 'x, y' = 'x' }\nhamiltonian = 'x'",
+    ),
     ("SystemTableError::TwoSystems", "kind = 'body-with-rotors'\nhamiltonian = 'Pi1'"),
     (
         "SystemTableError::StructureConstants",

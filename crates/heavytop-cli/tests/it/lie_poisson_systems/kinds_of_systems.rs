@@ -1,0 +1,200 @@
+//! Systems by kind and algebras by expression: the rows of `simulate` are those of the library, to the bit.
+
+use crate::program::{Finished, Folder, numbers};
+use heavytop::methods::{Formulation, SchemeName};
+use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra, SystemKind};
+use lie_poisson_formulas::Parameters;
+use lie_poisson_runs::{Experiment, Pace, RunFailure, Schedule};
+
+/// A system by kind: its name, the names of its columns, and the numbers of `parameters` and `initial` as TOML.
+const KINDS: [(&str, &str, &str, &str); 8] = [
+    (
+        "body-in-fluid",
+        "Pi1,Pi2,Pi3,P1,P2,P3,h,c1,c2",
+        "inertia = [2, 2.5, 3], masses = [3, 1.5, 2]",
+        "Pi = [1, 0.5, 0.2], P = [0.3, 1, 0]",
+    ),
+    (
+        "body-with-rotors",
+        "Pi1,Pi2,Pi3,l1,l2,h,c1,c2,c3",
+        "I = [1, 2, 3], J = [0.1, 0.2]",
+        "Pi = [0.3, 1, 0.2], l = [0.2, 0.1]",
+    ),
+    (
+        "elliptical-vortex",
+        "mu1,mu2,mu3,h,c1",
+        "strength = 1, strain = 0.05",
+        "a = 1.5, b = 0.5, angle = 0.3",
+    ),
+    (
+        "gyrostat",
+        "Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3,h,c1,c2",
+        "inertia = [2, 2, 1], weight = 1, center_of_mass = [0, 0, 1], rotor = [0, 0, 2]",
+        "Pi = [0.5, 0, 3], Gamma = [0.6, 0, 0.8]",
+    ),
+    (
+        "rigid-body",
+        "L12,L13,L14,L23,L24,L34,h,c1,c2",
+        "moments = [1, 1.5, 2, 2.5]",
+        "L12 = 1, L13 = 0.2, L14 = -0.3, L23 = 0.5, L24 = 0.1, L34 = 0.7",
+    ),
+    (
+        "spin-chain",
+        "S_1_1,S_1_2,S_1_3,S_2_1,S_2_2,S_2_3,S_3_1,S_3_2,S_3_3,h,c1,c2,c3",
+        "spins = 3, exchange = 1, field = [0, 0, 0.2]",
+        "S_1 = [1, 0, 0], S_2 = [0, 1, 0], S_3 = [0, 0.6, 0.8]",
+    ),
+    (
+        "top-on-base",
+        "Pi1,Pi2,Pi3,P1,P2,P3,Gamma1,Gamma2,Gamma3,h,c1,c2,c3",
+        "inertia = [2, 2, 1], mass = 0.8, base_mass = 1.3, gravity = 9.8, center_of_mass = [0, 0, 0.5]",
+        "Pi = [0.5, 0, 5], P = [0.1, 0, 0], Gamma = [0.6, 0, 0.8]",
+    ),
+    (
+        "vortices",
+        "m_1_1,m_1_2,m_1_3,m_2_1,m_2_2,m_2_3,h,c1,c2",
+        "strengths = [1, -0.7]",
+        "positions = [[1, 0, 0], [0, 0.6, 0.8]]",
+    ),
+];
+
+fn succeeded(done: &Finished) {
+    assert_eq!(done.code(), 0, "{}", done.stderr());
+}
+
+fn refused(done: &Finished) -> String {
+    assert_eq!(done.code(), 2, "{}", done.stderr());
+    done.stderr()
+}
+
+/// Returns the parameters of an inline table.
+fn parameters(text: &str) -> Parameters {
+    let table: toml::Table = toml::from_str(&format!("all = {{ {text} }}")).unwrap();
+    let number =
+        |value: &toml::Value| value.as_float().or_else(|| value.as_integer().map(|n| n as f64));
+    fn flat(value: &toml::Value) -> Vec<toml::Value> {
+        match value {
+            toml::Value::Array(rows) => rows.iter().flat_map(flat).collect(),
+            one => vec![one.clone()],
+        }
+    }
+    table["all"].as_table().unwrap().iter().fold(Parameters::new(), |all, (name, value)| {
+        match number(value) {
+            Some(one) => all.number(name, one).unwrap(),
+            None => {
+                let values: Vec<f64> = flat(value).iter().filter_map(number).collect();
+                all.vector(name, &values).unwrap()
+            }
+        }
+    })
+}
+
+/// Returns the rows of a run of a system by its default method.
+fn rows(model: FormulaSystem, start: Vec<f64>) -> Vec<Vec<f64>> {
+    let algebra = model.algebra();
+    let method = algebra.method(algebra.default_formulation(), SchemeName::Gauss(4), 0.0).unwrap();
+    let pace = Pace { schedule: Schedule::new(0.05, 2.0).unwrap(), every: 10 };
+    let run = Experiment { model, start, method, pace, attitude: false };
+    let mut rows = Vec::new();
+    run.follow(None, |moment| -> Result<(), RunFailure> {
+        rows.push(moment.row.to_vec());
+        Ok(())
+    })
+    .unwrap();
+    rows
+}
+
+const PACE: &str = "[integrator]\nstep = 0.05\nend = 2\n[output]\nevery = 10\n";
+
+#[test]
+fn every_kind_has_the_bits_of_the_library() {
+    assert_eq!(
+        KINDS.map(|(name, ..)| name),
+        SystemKind::ALL.iter().map(|kind| kind.name).collect::<Vec<_>>()[..]
+    );
+    let folder = Folder::new();
+    for (name, columns, given, initial) in KINDS {
+        let text = format!(
+            "[system]\nkind = '{name}'\nparameters = {{ {given} }}\ninitial = {{ {initial} }}\n{PACE}"
+        );
+        folder.write("kind.toml", &text);
+        succeeded(&folder.heavytop(&["simulate", "kind.toml", "--out", "kind.csv", "--force"]));
+        let (header, found) = numbers(&folder.read("kind.csv"));
+        assert_eq!(header.join(","), format!("t,{columns}"));
+        let kind = SystemKind::named(name).unwrap();
+        let (given, initial) = (parameters(given), parameters(initial));
+        let system = kind.system(&given).unwrap();
+        let start = kind.coordinates(&given, &initial).unwrap_or_else(|| {
+            let names: Vec<&str> = initial.shapes().map(|(name, _)| name).collect();
+            let values = names.iter().map(|name| (*name, initial.values(name).unwrap()));
+            system.algebra().state(values)
+        });
+        assert_eq!(found, rows(system, start.unwrap()), "{name}");
+        // What a kind needs is told where it is missing.
+        folder.write("bare.toml", &format!("[system]\nkind = '{name}'\n"));
+        let said = refused(&folder.heavytop(&["simulate", "bare.toml", "--out", "bare.csv"]));
+        assert!(kind.parameters.iter().all(|own| said.contains(own.name)), "{said}");
+    }
+}
+
+#[test]
+fn an_algebra_by_expression_with_other_symbols_and_the_plus_bracket() {
+    let folder = Folder::new();
+    let text = |bracket: &str| {
+        format!(
+            "[system]\nalgebra = 'so(3)^3'\ncoordinates = ['S']\nhamiltonian = '-sum(S[i]·S[i+1]) - S3[3]'\n{bracket}\
+             initial = {{ S_1 = [1, 0, 0], S_2 = [0, 1, 0], S_3 = [0, 0.6, 0.8] }}\n{PACE}"
+        )
+    };
+    let run = |bracket: &str| {
+        folder.write("spins.toml", &text(bracket));
+        succeeded(&folder.heavytop(&["simulate", "spins.toml", "--out", "spins.csv", "--force"]));
+        numbers(&folder.read("spins.csv")).1
+    };
+    let system = |is_plus: bool| {
+        let algebra = SystemAlgebra::named("so(3)^3").unwrap().with_symbols(&["S"]).unwrap();
+        assert_eq!(algebra.default_formulation(), Formulation::Collective);
+        let system =
+            FormulaSystem::new(algebra, "-sum(S[i]·S[i+1]) - S3[3]", &Parameters::new()).unwrap();
+        let system = if is_plus { system.with_plus_bracket().unwrap() } else { system };
+        system.with_found_casimirs().unwrap()
+    };
+    let start = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.6, 0.8]].concat();
+    let plus = run("bracket = 'plus'\n");
+    assert_eq!(plus, rows(system(true), start.clone()));
+    let minus = run("");
+    assert_eq!(minus, rows(system(false), start));
+    assert_eq!(minus, run("bracket = 'minus'\n"));
+    // Control: the two brackets move the spins in opposite directions.
+    assert_ne!(plus, minus);
+}
+
+#[test]
+fn what_is_no_algebra_and_no_start_is_refused() {
+    let folder = Folder::new();
+    let said = |text: &str| {
+        folder.write("wrong.toml", text);
+        refused(&folder.heavytop(&["simulate", "wrong.toml", "--out", "wrong.csv"]))
+    };
+    let message =
+        said("[system]\nalgebra = 'so(3) + '\nhamiltonian = '1'\ninitial = { Pi = [1, 0, 0] }\n");
+    assert!(
+        message.contains("column 9: an algebra, such as so(3), must stand where the text ends"),
+        "{message}"
+    );
+    assert!(message.contains("algebra = 'so(3) + '"), "{message}");
+    let message =
+        said("[system]\nalgebra = 'so(3)^2'\ncoordinates = ['S', 'T']\nhamiltonian = '1'\n");
+    assert!(message.contains("2 symbols; the algebra has 1: Pi"), "{message}");
+    let vortices = |positions: &str| {
+        said(&format!(
+            "[system]\nkind = 'vortices'\nparameters.strengths = [1, 2]\ninitial.positions = {positions}\n"
+        ))
+    };
+    assert!(vortices("[[1, 0, 0]]").contains("three numbers for each of 2 vortices, got 3"));
+    assert!(vortices("[[1, 0], [0, 1, 0, 0]]").contains("rows of one length"));
+    assert!(vortices("[[1, 0, 0], [0, 2, 0]]").contains("the length of number 2 is 2"));
+    let message = said("[system]\nkind = 'vortices'\nbracket = 'plus'\n");
+    assert!(message.contains("write neither"), "{message}");
+    assert!(!folder.path("wrong.csv").exists());
+}

@@ -1,0 +1,193 @@
+"""Systems of the library by their own names."""
+
+from __future__ import annotations
+
+from typing import Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .arguments import array
+from .solution import Floats
+from .system import System
+from .system_description import State
+
+
+class BodyInFluid(System):
+    """Kirchhoff's rigid body with three planes of symmetry in an ideal fluid; coordinates Pi and P.
+
+    Args:
+        inertia: the three moments of body and fluid, kg m^2.
+        masses: the three masses of body and fluid along the axes, kg.
+
+    Example:
+        >>> BodyInFluid([1, 2, 3], [1, 2, 4]).casimirs
+        {'c1': 'Pi·P', 'c2': '|P|^2'}
+    """
+
+    def __init__(self, inertia: ArrayLike, masses: ArrayLike) -> None:
+        super().__init__(kind="body-in-fluid", parameters={"inertia": inertia, "masses": masses})
+
+
+class EllipticalVortex(System):
+    """Kida's elliptical patch of vorticity in a plane strain; coordinates mu.
+
+    A start is given by mu, or by the semi-axes and the angle: `{"a": 1.5, "b": 0.5, "angle": 0.3}`.
+
+    Args:
+        strength: the vorticity times the product of the semi-axes, m^2/s.
+        strain: the rate of strain of the flow around the vortex, 1/s.
+        rotation: the angular velocity of that flow, 1/s.
+
+    Example:
+        Without strain, an ellipse turns at Kirchhoff's rate w ab/(a + b)^2:
+
+        >>> run = EllipticalVortex(0.75).solve({"a": 1.5, "b": 0.5}, step=0.01, end=1)
+        >>> round(float(np.arctan2(run["mu2"], run["mu1"])[-1] / 2), 9)
+        0.1875
+    """
+
+    def __init__(self, strength: float, strain: float = 0.0, rotation: float = 0.0) -> None:
+        super().__init__(kind="elliptical-vortex", parameters={"strength": strength, "strain": strain, "rotation": rotation})
+
+
+class Gyrostat(System):
+    """A heavy body with a fixed point and a spinning rotor; coordinates Pi and Gamma.
+
+    Args:
+        inertia: the three moments of body and rotor about the support, kg m^2.
+        weight: m g, N.
+        center_of_mass: from the support, m.
+        rotor: the angular momentum of the rotor in the body, kg m^2/s.
+
+    Example:
+        >>> Gyrostat([2, 2, 1], 1.0, [0, 0, 1], [0, 0, 5]).rate([0, 0, 5, 1, 0, 0])
+        array([ 0., -1.,  0.,  0.,  0.,  0.])
+    """
+
+    def __init__(self, inertia: ArrayLike, weight: float, center_of_mass: ArrayLike, rotor: ArrayLike) -> None:
+        parameters = {"inertia": inertia, "weight": weight, "center_of_mass": center_of_mass, "rotor": rotor}
+        super().__init__(kind="gyrostat", parameters=parameters)
+
+
+class RigidBody(System):
+    """A free rigid body in n dimensions; coordinates L12, L13, ..., or Pi in three dimensions.
+
+    Args:
+        moments: the second moments of the mass along each axis, kg m^2.
+
+    Example:
+        >>> RigidBody([1, 1.5, 2, 2.5]).coordinates
+        ('L12', 'L13', 'L14', 'L23', 'L24', 'L34')
+    """
+
+    def __init__(self, moments: ArrayLike) -> None:
+        super().__init__(kind="rigid-body", parameters={"moments": moments})
+
+
+class TopOnBase(System):
+    """A heavy top on a base that moves freely; coordinates Pi, P and Gamma.
+
+    Args:
+        inertia: the three moments of the top about the support, kg m^2.
+        mass: of the top, kg.
+        base_mass: of the base, kg.
+        gravity: m/s^2.
+        center_of_mass: of the top from the support, m.
+    """
+
+    def __init__(self, inertia: ArrayLike, mass: float, base_mass: float, gravity: float, center_of_mass: ArrayLike) -> None:
+        parameters = {"inertia": inertia, "mass": mass, "base_mass": base_mass, "gravity": gravity, "center_of_mass": center_of_mass}
+        super().__init__(kind="top-on-base", parameters=parameters)
+
+
+class _Vectors(System):
+    """A system of N vectors, whose states may be arrays of shape (N, 3)."""
+
+    def _state(self, y0: State) -> Floats:
+        count = self.dimension // 3
+        if not hasattr(y0, "keys") and np.shape(y0) == (count, 3):
+            y0 = array("y0", y0).reshape(-1)
+        return super()._state(y0)
+
+    def _vectors(self, y: ArrayLike) -> Floats:
+        states = self._states("y", y)
+        return np.moveaxis(states.reshape(-1, 3, *states.shape[1:]), (0, 1), (-2, -1))
+
+
+class SpinChain(_Vectors):
+    """Classical spins in a row, with the plus bracket; coordinates S_1, S_2, ...
+
+    h = -J sum s_i.s_(i+1) - K sum s_i3^2 - B.sum s_i. A start is an array of shape (N, 3), or as for `System.solve`.
+
+    Args:
+        spins: how many there are, 2 to 85.
+        exchange: J; positive for a ferromagnet.
+        anisotropy: K; positive for an easy axis.
+        field: B.
+        periodic: whether the last spin has a bond with the first.
+
+    Example:
+        A spin wave of a small amplitude turns at 2 J (1 - cos k):
+
+        >>> i = np.arange(8)
+        >>> k = 2 * np.pi / 8
+        >>> wave = np.stack([1e-4 * np.cos(k * i), 1e-4 * np.sin(k * i), np.ones(8)], axis=1)
+        >>> chain = SpinChain(8, 1.0)
+        >>> run = chain.solve(wave, step=0.1, end=1)
+        >>> s = chain.spins(run.y)
+        >>> s.shape
+        (11, 8, 3)
+        >>> turned = np.arctan2(s[-1, 0, 1], s[-1, 0, 0])
+        >>> bool(abs(abs(turned) - 2 * (1 - np.cos(k))) < 1e-6)
+        True
+    """
+
+    def __init__(
+        self, spins: int, exchange: float, anisotropy: float = 0.0, field: Optional[ArrayLike] = None, periodic: bool = True
+    ) -> None:
+        parameters = {
+            "spins": spins,
+            "exchange": exchange,
+            "anisotropy": anisotropy,
+            "field": [0.0, 0.0, 0.0] if field is None else field,
+            "periodic": float(periodic),
+        }
+        super().__init__(kind="spin-chain", parameters=parameters)
+
+    def spins(self, y: ArrayLike) -> Floats:
+        """Returns the spins at states of shape (d,) or (d, n), as an array of shape (N, 3) or (n, N, 3)."""
+        return self._vectors(y)
+
+
+class Vortices(_Vectors):
+    """Point vortices on the unit sphere; coordinates m_1, m_2, ..., the positions times the strengths.
+
+    A start is given by the positions, an array of shape (N, 3).
+
+    Args:
+        strengths: the circulation of each vortex, m^2/s.
+
+    Example:
+        Two equal vortices turn about the point between them, at the rate k/(4 pi) for a right angle:
+
+        >>> pair = Vortices([1.0, 1.0])
+        >>> run = pair.solve([[1, 0, 0], [0, 1, 0]], step=0.1, end=10)
+        >>> pair.positions(run.y).shape
+        (101, 2, 3)
+        >>> bool(abs(pair.positions(run.y)[-1].sum(axis=0) - [1, 1, 0]).max() < 1e-13)
+        True
+    """
+
+    def __init__(self, strengths: ArrayLike) -> None:
+        super().__init__(kind="vortices", parameters={"strengths": strengths})
+        self._strengths = array("strengths", strengths)
+
+    def _state(self, y0: State) -> Floats:
+        if not hasattr(y0, "keys") and np.shape(y0) == (self.dimension // 3, 3):
+            y0 = {"positions": array("y0", y0)}
+        return super()._state(y0)
+
+    def positions(self, y: ArrayLike) -> Floats:
+        """Returns the positions at states of shape (d,) or (d, n), as an array of shape (N, 3) or (n, N, 3)."""
+        return self._vectors(y) / self._strengths[:, None]
