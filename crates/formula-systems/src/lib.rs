@@ -27,11 +27,11 @@
 //!
 //! | when you need | use |
 //! |---|---|
-//! | an algebra by name, from brackets, or from structure constants | [`SystemAlgebra`] |
+//! | an algebra by expression, from brackets, or from structure constants | [`SystemAlgebra`] |
 //! | structure constants from a text, one per line | [`structure_table`] |
 //! | the coordinates of a state by their names | [`SystemAlgebra::state`] |
 //! | a Hamiltonian on it as text, and the Casimirs | [`FormulaSystem`] |
-//! | a system by name, or to add one | [`SystemKind`] |
+//! | a system by name, or to add one | [`SystemKind`], [`Parameter`], [`ParameterShape`], [`KindStart`] |
 //! | the formulations that an algebra has, a method of one | [`SystemAlgebra::formulations`], [`SystemAlgebra::method`] |
 //! | the integrator of a [`Method`](heavytop::methods::Method) by name | [`FormulaSystem::tangent_integrator`] |
 //! | a Poincaré section on a level set of h and the Casimirs | [`SystemSection`] |
@@ -39,7 +39,8 @@
 //!
 //! # Conventions
 //!
-//! * The bracket is the minus bracket: dμ/dt = ad∗_ξ μ with ξ = dh(μ), as for a top.
+//! * The bracket is the minus bracket, dμ/dt = ad∗_ξ μ with ξ = dh(μ), as for a top, unless a system is
+//!   [made](FormulaSystem::with_plus_bracket) with the plus bracket.
 //! * The coordinates of 𝔤∗ belong to the basis that is dual to the basis of the brackets. The bracket [x, y] = z of
 //!   basis vectors is written with the names of the corresponding coordinates.
 //!

@@ -1,0 +1,148 @@
+"""Systems of the library by their classes, and algebras by expression."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import heavytop
+from heavytop import System
+
+BODIES = [
+    (heavytop.BodyInFluid([2, 2.5, 3], [3, 1.5, 2]), {"Pi": [1, 0.5, 0.2], "P": [0.3, 1, 0]}),
+    (heavytop.EllipticalVortex(1.0, 0.05), {"a": 1.5, "b": 0.5, "angle": 0.3}),
+    (heavytop.Gyrostat([2, 2, 1], 1.0, [0, 0, 1], [0, 0, 2]), {"Pi": [0.5, 0, 3], "Gamma": [0.6, 0, 0.8]}),
+    (heavytop.RigidBody([1, 1.5, 2, 2.5]), [1, 0.2, -0.3, 0.5, 0.1, 0.7]),
+    (heavytop.SpinChain(3, 1.0, 0.3, [0, 0, 0.2]), [[1, 0, 0], [0, 1, 0], [0, 0.6, 0.8]]),
+    (heavytop.TopOnBase([2, 2, 1], 0.8, 1.3, 9.8, [0, 0, 0.5]), [0.5, 0, 5, 0.1, 0, 0, 0.6, 0, 0.8]),
+    (heavytop.Vortices([1, -0.7]), [[1, 0, 0], [0, 0.6, 0.8]]),
+]
+
+
+@pytest.mark.parametrize(("system", "start"), BODIES, ids=lambda value: type(value).__name__)
+def test_a_class_conserves_what_its_system_conserves(system, start):
+    run = system.solve(start, step=0.02, end=4, scheme="gauss-12")
+    assert np.abs(run.y[:, -1] - run.y[:, 0]).max() > 0.01
+    assert system.missing_casimirs == 0
+    for name in system.invariants:
+        assert run.deviation(name) < 1e-9, name
+    # Resampled by a larger stride, the states are the same to the bit.
+    coarse = system.solve(start, step=0.02, end=4, scheme="gauss-12", every=50)
+    assert np.array_equal(coarse.y[:, -1], run.y[:, -1])
+    # Pickle makes the same system.
+    other = pickle.loads(pickle.dumps(system))
+    assert other.hamiltonian == system.hamiltonian and other.bracket == system.bracket
+    assert np.array_equal(other.rate(run.y[:, 3]), system.rate(run.y[:, 3]))
+
+
+def test_many_starts_and_growth_of_a_class():
+    system = heavytop.Vortices([1.0, 1.0, 1.0])
+    points = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+    starts = np.stack([points.ravel(), points[::-1].ravel()], axis=1)
+    ends = heavytop.solve_many(system, starts, step=0.05, end=2)
+    alone = system.solve(points, step=0.05, end=2)
+    assert np.array_equal(ends.y[:, 0], alone.y[:, -1])
+    growth = heavytop.lyapunov(system, starts[:, 0], step=0.1, end=20)
+    assert np.isfinite(growth.exponents).all()
+
+
+def test_vectors_have_the_shapes_of_the_field():
+    chain = heavytop.SpinChain(4, 1.0)
+    spins = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [0.6, 0.8, 0]])
+    run = chain.solve(spins, step=0.1, end=1)
+    assert chain.spins(run.y).shape == (11, 4, 3)
+    assert np.array_equal(chain.spins(run.y)[0], spins)
+    assert np.array_equal(chain.spins(run.y[:, 0]), spins)
+    assert np.array_equal(chain.solve(spins.ravel(), step=0.1, end=1).y, run.y)
+    vortices = heavytop.Vortices([1.0, 2.0])
+    positions = np.array([[1, 0, 0], [0, 1, 0.0]])
+    run = vortices.solve(positions, step=0.1, end=1)
+    assert np.allclose(vortices.positions(run.y)[0], positions, atol=1e-15)
+    assert np.allclose(np.linalg.norm(vortices.positions(run.y), axis=2), 1, atol=1e-13)
+
+
+def magnon(n, mode, exchange=1.3):
+    """Returns the measured angular frequency of a spin wave of a small amplitude."""
+    i, k = np.arange(n), 2 * np.pi * mode / n
+    wave = np.stack([1e-5 * np.cos(k * i), 1e-5 * np.sin(k * i), np.ones(n)], axis=1)
+    chain = heavytop.SpinChain(n, exchange)
+    run = chain.solve(wave, step=0.05, end=2, scheme="gauss-12")
+    s = chain.spins(run.y)[:, 0]
+    angle = np.unwrap(np.arctan2(s[:, 1], s[:, 0]))
+    return abs(angle[-1] - angle[0]) / run.t[-1], 2 * exchange * (1 - np.cos(k))
+
+
+@pytest.mark.parametrize("mode", [1, 3, 8])
+def test_a_spin_wave_has_the_frequency_of_linear_theory(mode):
+    measured, expected = magnon(16, mode)
+    assert abs(measured - expected) < 1e-6 * expected
+
+
+def test_a_ring_of_vortices_turns_at_its_known_rate():
+    # N equal vortices on a parallel at the height z turn at k (N - 1) z/(4 pi (1 - z^2)).
+    n, z = 5, 0.5
+    angle = 2 * np.pi * np.arange(n) / n
+    ring = np.stack([np.sqrt(1 - z * z) * np.cos(angle), np.sqrt(1 - z * z) * np.sin(angle), np.full(n, z)], axis=1)
+    vortices = heavytop.Vortices(np.ones(n))
+    run = vortices.solve(ring, step=0.1, end=3, scheme="gauss-12")
+    last = vortices.positions(run.y)[-1, 0]
+    rate = (n - 1) * z / (4 * np.pi * (1 - z * z))
+    assert abs(np.arctan2(last[1], last[0]) - 3 * rate) < 1e-9
+    assert abs(last[2] - z) < 1e-12
+
+
+def test_an_ellipse_turns_at_kirchhoffs_rate():
+    for a, b, vorticity in [(1.5, 0.5, 1.0), (3.0, 2.9, 0.2)]:
+        vortex = heavytop.EllipticalVortex(vorticity * a * b)
+        run = vortex.solve({"a": a, "b": b}, step=0.05, end=1, scheme="gauss-12")
+        turned = np.arctan2(run["mu2"], run["mu1"])[-1] / 2
+        assert abs(turned - vorticity * a * b / (a + b) ** 2) < 1e-11
+
+
+def test_a_body_in_three_dimensions_is_eulers():
+    second = np.array([1.0, 1.5, 2.0])
+    moments = second.sum() - second
+    body, euler = heavytop.RigidBody(second), System("so(3)", "sum(Pi[i]^2/I[i])/2", parameters={"I": moments})
+    runs = [system.solve([1, 2, 0.5], step=0.1, end=10) for system in (body, euler)]
+    assert np.abs(runs[0].y - runs[1].y).max() < 1e-13
+
+
+def test_the_plus_bracket_is_the_motion_backward():
+    text = "Pi1^2/2 + Pi2^2/3 + Pi3"
+    minus, plus = System("so(3)", text), System("so(3)", text, bracket="plus")
+    assert (minus.bracket, plus.bracket) == ("minus", "plus")
+    y = [0.3, -0.8, 1.1]
+    assert np.array_equal(plus.rate(y), -minus.rate(y)) and np.abs(minus.rate(y)).max() > 0.1
+    there = plus.solve(y, step=0.05, end=3, scheme="gauss-12").y[:, -1]
+    assert np.abs(minus.solve(there, step=0.05, end=3, scheme="gauss-12").y[:, -1] - y).max() < 1e-12
+
+
+def test_algebras_by_expression():
+    compass = System("so(3) |x (R3 + R3)", "|Pi|^2/2 + Gamma_1[1] + Gamma2[2]")
+    assert set(compass.casimirs.values()) == {"|Gamma_1|^2", "Gamma_1·Gamma_2", "|Gamma_2|^2"}
+    assert System("su(3)", "mu1^2 + mu8").dimension == 8
+    spins = System("so(3)^2", lambda s: s.S_1 @ s.S_2, coordinates="S")
+    assert spins.coordinates == ("S_1_1", "S_1_2", "S_1_3", "S_2_1", "S_2_2", "S_2_3")
+    assert spins.formulations[0] == "collective"
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: System("so(3) |x R4", "1"), r"column 10: the algebra before it acts on R3, and not on R4"),
+        (lambda: System("so(3", "1"), r"column 5: `\)` must stand where the text ends"),
+        (lambda: System("soo(3)", "1"), r"there is no algebra soo\(3\); there are so\(n\)"),
+        (lambda: System("so(3)^2", "1", coordinates=["S", "T"]), r"2 symbols; the algebra has 1: Pi"),
+        (lambda: System("so(3)", "1", bracket="up"), "bracket"),
+        (lambda: System("so(3)^2", "sum(Pi[i]·Pi[j])"), "needs the indices"),
+        (lambda: heavytop.Vortices([1.0, 0.0]), "other than 0"),
+        (lambda: heavytop.SpinChain(1, 1.0), "a whole number from 2 to 85"),
+        (lambda: heavytop.Gyrostat([1, 1, 3], 1, [0, 0, 1], [0, 0, 0]), "none above the sum of the others"),
+        (lambda: heavytop.Vortices([1, 1]).solve([[1, 0, 0], [0, 2, 0]], step=0.1, end=1), "the length of number 2 is 2"),
+        (lambda: heavytop.Vortices([1, 1]).solve([[1, 0, 0]], step=0.1, end=1), r"shape \(6,\)"),
+        (lambda: heavytop.EllipticalVortex(1).solve({"a": 1.0}, step=0.1, end=1), "b is wrong, missing"),
+    ],
+)
+def test_what_is_refused(make, message):
+    with pytest.raises(ValueError, match=message):
+        make()
