@@ -35,6 +35,12 @@ pub enum FormulaSystemError {
         /// The symbols of the algebra.
         own: Vec<String>,
     },
+    /// Matrices make no realisation of an algebra.
+    #[error("realisation: {problem}")]
+    Realisation {
+        /// What is wrong.
+        problem: String,
+    },
     /// There is no system of this name.
     #[error("there is no system {name}; there are {}", kinds.join(", "))]
     NoKind {

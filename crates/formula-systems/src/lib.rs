@@ -32,6 +32,7 @@
 //! | the coordinates of a state by their names | [`SystemAlgebra::state`] |
 //! | a Hamiltonian on it as text, and the Casimirs | [`FormulaSystem`] |
 //! | a system by name, or to add one | [`SystemKind`], [`Parameter`], [`ParameterShape`], [`KindStart`] |
+//! | a realisation of your own, by matrices, and what it obeys | [`QuadraticMomenta`], [`Verdict`], [`SystemAlgebra::with_realisation`] |
 //! | the formulations that an algebra has, a method of one | [`SystemAlgebra::formulations`], [`SystemAlgebra::method`] |
 //! | the integrator of a [`Method`](heavytop::methods::Method) by name | [`FormulaSystem::tangent_integrator`] |
 //! | a Poincaré section on a level set of h and the Casimirs | [`SystemSection`] |
@@ -59,6 +60,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod error;
+mod realisations;
 mod algebras;
 mod systems;
 mod catalogue;
@@ -69,6 +71,8 @@ pub use algebras::structure_table::{StructureTableError, structure_table};
 pub use algebras::system_algebra::SystemAlgebra;
 pub use catalogue::system_kind::{KindStart, Parameter, ParameterShape, SystemKind};
 pub use error::FormulaSystemError;
+pub use realisations::quadratic_momenta::QuadraticMomenta;
+pub use realisations::verdict::Verdict;
 pub use sections::system_section::SystemSection;
 pub use systems::formula_system::FormulaSystem;
 

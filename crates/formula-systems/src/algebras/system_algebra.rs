@@ -4,6 +4,8 @@ use super::bracket_texts::entries;
 use super::expressions::parser::parse;
 use super::expressions::part::Part;
 use crate::error::FormulaSystemError;
+use crate::realisations::quadratic_momenta::QuadraticMomenta;
+use crate::realisations::verdict::Verdict;
 use lie_poisson::{
     Inherited, SO3OnR3, SemidirectAlgebra, State, StructureError, StructureTable, Vector,
 };
@@ -11,9 +13,13 @@ use lie_poisson_formulas::{
     Coordinates, EntryError, NameError, NamedAlgebra, Parameters, StructureEntry, Vocabulary,
     table_of_entries,
 };
+use std::sync::Arc;
 
 /// The dimensions of the Clebsch maps. A smaller algebra is completed by central coordinates, which stay zero.
 const WIDTHS: [usize; 2] = [3, 6];
+
+/// The dimensions of the algebras of matrices that are realised by their own matrices.
+const OWN_MATRICES: core::ops::RangeInclusive<usize> = 4..=64;
 
 /// The kind of an algebra. It decides which methods, besides the direct ones, integrate its systems.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,6 +70,8 @@ pub struct SystemAlgebra {
     entries: Vec<StructureEntry>,
     table: StructureTable,
     pub(crate) family: Family,
+    /// Momenta of one's own for the collective formulation, and what they obey.
+    realisation: Option<(Arc<QuadraticMomenta>, Verdict)>,
 }
 
 impl SystemAlgebra {
@@ -119,10 +127,17 @@ impl SystemAlgebra {
             let base = SemidirectAlgebra(Inherited { quotient: SO3OnR3, representation: SO3OnR3 });
             return of_library(name, &base);
         }
-        let Part { coordinates, constants, family, .. } = parse(text)?;
+        let Part { coordinates, constants, family, acts } = parse(text)?;
         let table = table_of_entries(coordinates.dimension(), &constants);
         let table = table.map_err(FormulaSystemError::Structure)?;
-        Ok(Self::of_table(name, coordinates, table, family))
+        let algebra = Self::of_table(name, coordinates, table, family);
+        // Smaller ones have Clebsch maps whose dimensions the compiler knows.
+        let matrices = acts
+            .map(|acts| acts.matrices)
+            .filter(|_| family == Family::Other && OWN_MATRICES.contains(&algebra.dimension()));
+        let momenta = matrices.and_then(|matrices| QuadraticMomenta::reaching(&matrices));
+        let realisation = momenta.map(|(momenta, verdict)| (Arc::new(momenta), verdict));
+        Ok(Self { realisation, ..algebra })
     }
 
     /// Creates the algebra from brackets [x, y] = Σ c z, which are written with the names of coordinates, such as
@@ -191,7 +206,7 @@ impl SystemAlgebra {
         family: Family,
     ) -> Self {
         let entries = table.entries().iter().copied().filter(|entry| entry.i < entry.j).collect();
-        Self { name, coordinates, entries, table, family }
+        Self { name, coordinates, entries, table, family, realisation: None }
     }
 
     /// Returns the algebra with other symbols for its coordinates, in the order in which their own symbols come: `S` for
@@ -231,6 +246,26 @@ impl SystemAlgebra {
         Ok(Self { coordinates, ..self })
     }
 
+    /// Returns the algebra with momenta of your own, along which its collective formulation goes.
+    ///
+    /// # Errors
+    /// Returns the errors of [`QuadraticMomenta::verdict`].
+    pub fn with_realisation(self, momenta: QuadraticMomenta) -> Result<Self, FormulaSystemError> {
+        let verdict = momenta.verdict(&self.table, &self.coordinates)?;
+        Ok(Self { realisation: Some((Arc::new(momenta), verdict)), ..self })
+    }
+
+    /// Returns what the momenta of your own obey, if there are such.
+    #[must_use]
+    pub fn verdict(&self) -> Option<Verdict> {
+        self.realisation.as_ref().map(|(_, verdict)| *verdict)
+    }
+
+    /// Returns the momenta of one's own, and what they obey.
+    pub(crate) fn realisation(&self) -> Option<&(Arc<QuadraticMomenta>, Verdict)> {
+        self.realisation.as_ref()
+    }
+
     /// Returns the name in messages: that of [`named`](Self::named), or "this algebra".
     #[must_use]
     pub fn name(&self) -> &str {
@@ -249,9 +284,9 @@ impl SystemAlgebra {
         &self.entries
     }
 
-    /// Returns all structure constants.
+    /// Returns the algebra as its structure constants alone, those with i > j too.
     #[must_use]
-    pub(crate) const fn table(&self) -> &StructureTable {
+    pub const fn table(&self) -> &StructureTable {
         &self.table
     }
 

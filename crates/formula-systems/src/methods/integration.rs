@@ -7,6 +7,8 @@ use super::offers::refusal;
 use super::table_field::TableField;
 use crate::algebras::system_algebra::Family;
 use crate::error::FormulaSystemError;
+use crate::realisations::collective::RealisedCollective;
+use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::{
     AnyIntegrator, AnyState, AnyTangents, ByPointer, Collective, CollectiveSites, Composition,
@@ -21,6 +23,7 @@ use lie_poisson::{
 use lie_poisson_formulas::{Formula, FormulaHamiltonian, structure_constants};
 use momentum_map::{DualQuaternions, HOPF, PoissonMap, Quaternions};
 use nalgebra::Vector3;
+use std::sync::Arc;
 
 /// A system with the method of its integration, for runs from a state.
 pub(super) struct Integration<'a> {
@@ -44,6 +47,11 @@ impl Integration<'_> {
 
     fn with(&self, scheme: AnyScheme) -> Made {
         let algebra = self.system.algebra();
+        if let (Formulation::Collective, Some((momenta, verdict))) =
+            (self.method.formulation(), algebra.realisation())
+        {
+            return self.realised(scheme, Arc::clone(momenta), verdict.is_plus);
+        }
         Ok(match (self.method.formulation(), algebra.family) {
             // Π and Γ have units of their own, which the structure constants of an algebra do not tell.
             (Formulation::Direct, Family::Motions) => {
@@ -89,7 +97,11 @@ impl Integration<'_> {
                 return match algebra.width() {
                     3 => self.clebsch::<3>(scheme),
                     6 => self.clebsch::<6>(scheme),
-                    _ => Err(self.impossible()),
+                    _ => self.realised(
+                        scheme,
+                        Arc::new(QuadraticMomenta::clebsch(algebra.table())?),
+                        true,
+                    ),
                 };
             }
             // `require` has refused every such pair.
@@ -106,12 +118,38 @@ impl Integration<'_> {
         Ok(self.any(InvariantGuard::new(collective, order, self.system)))
     }
 
+    /// Applies the scheme along momenta of one's own.
+    fn realised(&self, scheme: AnyScheme, momenta: Arc<QuadraticMomenta>, is_plus: bool) -> Made {
+        let system = self.system;
+        // h or −h, with which the bracket of the momenta makes the motion.
+        let hamiltonian = match is_plus == system.has_plus_bracket() {
+            true => system.hamiltonian().clone(),
+            false => system.hamiltonian().negated().map_err(FormulaSystemError::Hamiltonian)?,
+        };
+        let point = AnyState::from_slice(&vec![0.0; momenta.size()]);
+        let order = scheme.order();
+        let collective = RealisedCollective { scheme, momenta, hamiltonian };
+        // That there is a start is for the start to say; here it is refused early.
+        collective.start(&AnyState::from_slice(self.start))?;
+        let guarded = InvariantGuard::new(collective, order, system);
+        let momentum = AnyState::from_slice(self.start);
+        Ok(AnyIntegrator::of_states_with_tangents(guarded, &point, &momentum))
+    }
+
     /// Returns whether the steps of affine schemes descend to 𝔤∗ along the map that [`clebsch`](Self::clebsch) uses.
     pub(super) fn descends(&self) -> Result<bool, FormulaSystemError> {
         let algebra = self.system.algebra();
+        if let (Formulation::Collective, Some(verdict)) =
+            (self.method.formulation(), algebra.verdict())
+        {
+            return Ok(verdict.descends());
+        }
         match (self.method.formulation(), algebra.family, algebra.width()) {
             (Formulation::Collective, Family::Other, 3) => self.clebsch_descends::<3>(),
             (Formulation::Collective, Family::Other, 6) => self.clebsch_descends::<6>(),
+            (Formulation::Collective, Family::Other, _) => {
+                Ok(QuadraticMomenta::clebsch(algebra.table())?.descends())
+            }
             _ => Ok(true),
         }
     }

@@ -5,26 +5,29 @@ use crate::error::FormulaSystemError;
 use heavytop::methods::{Formulation, Method, SchemeName};
 
 /// The dimensions of the algebras with a Clebsch map.
-const CLEBSCH: [usize; 5] = [2, 3, 4, 5, 6];
+const CLEBSCH: core::ops::RangeInclusive<usize> = 2..=20;
 
 impl SystemAlgebra {
     /// Returns the formulations that the algebra has. [`method`](Self::method) has a table.
     pub fn formulations(&self) -> impl Iterator<Item = Formulation> {
         let known = self.family != Family::Other;
+        let has_own = self.realisation().is_some();
         let clebsch = CLEBSCH.contains(&self.dimension());
         let all = [Formulation::Collective, Formulation::Reduced, Formulation::Direct];
         all.into_iter().filter(move |formulation| match formulation {
             Formulation::Direct => true,
-            Formulation::Collective => known || clebsch,
+            Formulation::Collective => known || clebsch || has_own,
             _ => known,
         })
     }
 
     /// Returns the formulation that suits the algebra best. It is collective if that is a Poisson integrator for every
-    /// Hamiltonian, namely on so(3), su(2) and se(3) by name, and on sums of so(3) and su(2). Otherwise it is direct.
+    /// Hamiltonian, namely on so(3), su(2) and se(3) by name, and on sums of so(3) and su(2), or if there are momenta of your own.
+    /// Otherwise it is direct.
     #[must_use]
     pub fn default_formulation(&self) -> Formulation {
         match self.family {
+            _ if self.realisation().is_some() => Formulation::Collective,
             Family::Rotations | Family::ManyRotations | Family::Motions => Formulation::Collective,
             Family::Other => Formulation::Direct,
         }
@@ -36,8 +39,10 @@ impl SystemAlgebra {
     /// | algebra | formulations |
     /// |---|---|
     /// | so(3), su(2), se(3) by name, and sums of so(3) and su(2) | collective, reduced, direct |
-    /// | another of dimension 2 to 6 | collective, by a Clebsch map; direct |
+    /// | another of dimension 2 to 20 | collective, by a Clebsch map; direct |
     /// | any other | direct |
+    /// | so(n), so(p,q), sp(2n,R), gl(n) of dimension 4 to 64 | collective, along copies of their matrices; direct |
+    /// | one with [momenta of your own](Self::with_realisation) | collective along these, beside the others |
     ///
     /// Every scheme of [`Formulation::schemes`] is available except the partitioned ones.
     ///

@@ -12,14 +12,14 @@ pub(in crate::algebras) struct Part {
     /// The structure constants, of each pair of basis vectors once.
     pub(in crate::algebras) constants: Vec<StructureEntry>,
     /// The representation that a semidirect product with Rⁿ or Cⁿ takes.
-    pub(super) acts: Option<Representation>,
+    pub(in crate::algebras) acts: Option<Representation>,
     pub(in crate::algebras) family: Family,
 }
 
 /// Real matrices, one for each basis vector, on Rⁿ or on Cⁿ as R²ⁿ.
 #[derive(Clone)]
-pub(super) struct Representation {
-    pub(super) matrices: Vec<DMatrix<f64>>,
+pub(in crate::algebras) struct Representation {
+    pub(in crate::algebras) matrices: Vec<DMatrix<f64>>,
     pub(super) space: Space,
 }
 

@@ -2,7 +2,7 @@
 
 use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::{Integrator, Start, Step, StepError};
-use lie_poisson::{Real, Vector, larger};
+use lie_poisson::{Real, State, larger};
 use lie_poisson_formulas::{Formula, StructureEntry};
 use momentum_map::LiftError;
 
@@ -86,7 +86,7 @@ impl Guarded {
     }
 
     /// Writes a momentum into the record.
-    fn take<V: Vector>(mu: &V, since: &mut Record) {
+    fn take<V: State>(mu: &V, since: &mut Record) {
         let number = |i: usize| mu.coordinate(i).as_f64().unwrap_or(f64::NAN);
         since.mu.iter_mut().enumerate().for_each(|(i, x)| *x = number(i));
     }
@@ -142,7 +142,7 @@ impl Guarded {
     }
 }
 
-impl<T: Real, I: Integrator<T, Momentum: Vector>> Integrator<T> for InvariantGuard<I> {
+impl<T: Real, I: Integrator<T, Momentum: State>> Integrator<T> for InvariantGuard<I> {
     type State = I::State;
     type Momentum = I::Momentum;
     type Workspace = GuardedWorkspace<I::Workspace, I::State>;
@@ -188,7 +188,7 @@ impl<T: Real, I: Integrator<T, Momentum: Vector>> Integrator<T> for InvariantGua
     }
 }
 
-impl<T: Real, I: Start<T, Momentum: Vector>> Start<T> for InvariantGuard<I> {
+impl<T: Real, I: Start<T, Momentum: State>> Start<T> for InvariantGuard<I> {
     fn start(&self, mu: &I::Momentum) -> Result<I::State, LiftError> {
         self.integrator.start(mu)
     }

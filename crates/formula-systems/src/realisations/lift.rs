@@ -1,0 +1,60 @@
+//! Points with given quadratic momenta.
+
+use super::quadratic_momenta::QuadraticMomenta;
+use super::verdict::generic;
+use momentum_map::LiftError;
+use nalgebra::{DMatrix, DVector};
+
+/// The largest number of Newton's steps, and of points from which they start.
+const STEPS: usize = 60;
+const STARTS: usize = 6;
+
+/// The distance of the momenta from the given ones, relative to these, at which a point is found.
+const CLOSE: f64 = 4.0 * f64::EPSILON;
+
+impl QuadraticMomenta {
+    /// Returns a point z with J(z) = μ: the first that Newton's iteration finds, with the shortest steps, from points that are
+    /// the same in every run.
+    ///
+    /// # Errors
+    /// Returns [`LiftError`] if none is found.
+    pub(super) fn lift(&self, mu: &[f64]) -> Result<Vec<f64>, LiftError> {
+        let size = mu.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if size == 0.0 {
+            return Ok(vec![0.0; self.size()]);
+        }
+        // In units in which the momentum has the length 1, of which z has the square root.
+        let unit = DVector::from_iterator(mu.len(), mu.iter().map(|x| x / size));
+        let found =
+            (0..STARTS).find_map(|start| self.newton(generic(self.size(), start + 1), &unit));
+        let lifted = found.map(|z| z.iter().map(|x| x * size.sqrt()).collect());
+        lifted.ok_or(LiftError {
+            quantity: "the length of the momentum",
+            value: size,
+            reason: "no point with this momentum was found: it is not in the image of the realisation",
+        })
+    }
+
+    fn newton(&self, mut z: DVector<f64>, mu: &DVector<f64>) -> Option<DVector<f64>> {
+        let mut values = DVector::zeros(mu.len());
+        self.values(z.as_slice(), values.as_mut_slice());
+        z /= values.norm().sqrt();
+        let mut before = f64::INFINITY;
+        for _ in 0..STEPS {
+            self.values(z.as_slice(), values.as_mut_slice());
+            let rest = mu - &values;
+            let distance = rest.norm();
+            // Rounding alone is left when a step no longer comes closer.
+            if distance <= CLOSE || (distance < 1e-12 && distance >= 0.5 * before) {
+                return Some(z);
+            }
+            before = distance;
+            let rows: Vec<_> = self.forms().iter().map(|form| (form * &z).transpose()).collect();
+            let step = DMatrix::from_rows(&rows).svd(true, true).solve(&rest, 1e-10).ok()?;
+            // A step longer than the point leaves the region in which the linear equations say something.
+            let most = 0.5 * z.norm();
+            z += &step * (most / step.norm().max(most));
+        }
+        None
+    }
+}

@@ -1,0 +1,6 @@
+//! Realisations of one's own: quadratic momenta on R²ᵐ, what they obey, and the collective integrator that they make.
+
+pub(crate) mod quadratic_momenta;
+pub(crate) mod verdict;
+pub(crate) mod lift;
+pub(crate) mod collective;

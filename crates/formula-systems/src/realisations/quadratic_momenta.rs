@@ -1,0 +1,185 @@
+//! Quadratic momenta on a symplectic vector space: [`QuadraticMomenta`].
+
+use crate::error::FormulaSystemError;
+use lie_poisson::{Real, StructureTable};
+use nalgebra::DMatrix;
+
+/// Momenta J_a(z) = ½ z·S_a z on R²ᵐ with z = (q, p) and {q, p} = 1, one for each coordinate of 𝔤∗.
+///
+/// They are given by their matrices S_a, or by matrices ρ_a of a representation on Rᵐ, of which they are the momenta
+/// J_a = p·ρ_a q. The dimensions are known only when the program runs. [`verdict`](Self::verdict) says whether they make a
+/// Poisson map to 𝔤∗.
+///
+/// Source: R. I. McLachlan, K. Modin & O. Verdier, *Collective symplectic integrators*, Nonlinearity 27 (2014), for the
+/// integrators that they make.
+///
+/// # Example
+/// The momenta L = q × p of so(3) on R³, by its matrices:
+/// ```
+/// use lie_poisson_formula_systems::{FormulaSystem, QuadraticMomenta, SystemAlgebra};
+/// use lie_poisson_formulas::Parameters;
+/// use nalgebra::DMatrix;
+/// let so3 = SystemAlgebra::named("so(3)")?;
+/// let hat = |i: usize| DMatrix::from_fn(3, 3, |r, c| match (r, c) {
+///     _ if r == (i + 2) % 3 && c == (i + 1) % 3 => 1.0,
+///     _ if r == (i + 1) % 3 && c == (i + 2) % 3 => -1.0,
+///     _ => 0.0,
+/// });
+/// let momenta = QuadraticMomenta::of_representation(&[hat(0), hat(1), hat(2)])?;
+/// let verdict = momenta.verdict(so3.table(), so3.coordinates())?;
+/// assert!(verdict.is_plus && verdict.defect < 1e-15 && verdict.descends());
+/// let mut values = [0.0; 3];
+/// momenta.values(&[1.0, 0.0, 0.0, 0.0, 2.0, 0.0], &mut values);
+/// assert_eq!(values, [0.0, 0.0, 2.0]); // e₁ × 2e₂
+///
+/// // The collective integrator along this map
+/// let own = so3.with_realisation(momenta)?;
+/// let body = FormulaSystem::new(own, "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2", &Parameters::new())?;
+/// let method = body.algebra().method("collective".parse()?, "gauss-8".parse()?, 0.0)?;
+/// assert!(body.tangent_integrator(&method, &[1.0, 2.0, 0.5]).is_ok());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuadraticMomenta {
+    /// The number m of degrees of freedom.
+    freedoms: usize,
+    /// The matrices S_a.
+    forms: Vec<DMatrix<f64>>,
+    /// Their entries that are not zero: a, row, column, value.
+    entries: Vec<(usize, usize, usize, f64)>,
+}
+
+impl QuadraticMomenta {
+    /// Creates the momenta J_a = ½ z·S_a z of symmetric matrices of 2m rows.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Realisation`] if there is no matrix, if one is not square, has another size than the
+    /// first, an odd number of rows, an entry that is not finite, or is not symmetric.
+    pub fn new(forms: Vec<DMatrix<f64>>) -> Result<Self, FormulaSystemError> {
+        let size = sizes(&forms)?;
+        if size % 2 == 1 {
+            return Err(wrong(format!("the matrices of momenta have {size} rows, an odd number")));
+        }
+        for (a, form) in (1..).zip(&forms) {
+            let asymmetry = (form - form.transpose()).amax();
+            if asymmetry > 4.0 * f64::EPSILON * form.amax() {
+                let problem = format!(
+                    "matrix {a} is not symmetric: it differs from its transpose by {asymmetry:e}"
+                );
+                return Err(wrong(problem));
+            }
+        }
+        let entries = forms.iter().enumerate().flat_map(|(a, form)| {
+            let places = (0..size).flat_map(move |i| (0..size).map(move |j| (i, j)));
+            places.map(move |(i, j)| (a, i, j, 0.5 * (form[(i, j)] + form[(j, i)])))
+        });
+        let entries = entries.filter(|(.., value)| *value != 0.0).collect();
+        Ok(Self { freedoms: size / 2, forms, entries })
+    }
+
+    /// Creates the momenta J_a = p·ρ_a q of the matrices of a representation on Rᵐ.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Realisation`] if there is no matrix, or if one is not square, has another size than the
+    /// first, or an entry that is not finite.
+    pub fn of_representation(matrices: &[DMatrix<f64>]) -> Result<Self, FormulaSystemError> {
+        let m = sizes(matrices)?;
+        let form = |rho: &DMatrix<f64>| {
+            let mut form = DMatrix::zeros(2 * m, 2 * m);
+            form.view_mut((m, 0), (m, m)).copy_from(rho);
+            form.view_mut((0, m), (m, m)).copy_from(&rho.transpose());
+            form
+        };
+        Self::new(matrices.iter().map(form).collect())
+    }
+
+    /// Creates the momenta of so many copies of a representation.
+    pub(crate) fn of_copies(
+        matrices: &[DMatrix<f64>],
+        copies: usize,
+    ) -> Result<Self, FormulaSystemError> {
+        let m = sizes(matrices)?;
+        let diagonal = |rho: &DMatrix<f64>| {
+            let mut all = DMatrix::zeros(copies * m, copies * m);
+            (0..copies).for_each(|i| all.view_mut((i * m, i * m), (m, m)).copy_from(rho));
+            all
+        };
+        Self::of_representation(&matrices.iter().map(diagonal).collect::<Vec<_>>())
+    }
+
+    /// Returns the momenta of two copies of the adjoint representation, a Clebsch map.
+    pub(crate) fn clebsch(algebra: &StructureTable) -> Result<Self, FormulaSystemError> {
+        let d = algebra.dimension();
+        let mut matrices = vec![DMatrix::zeros(d, d); d];
+        for entry in algebra.entries() {
+            if let Some(matrix) = matrices.get_mut(entry.i) {
+                matrix[(entry.k, entry.j)] = entry.value;
+            }
+        }
+        Self::of_copies(&matrices, 2)
+    }
+
+    /// Returns the number 2m of coordinates of z.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        2 * self.freedoms
+    }
+
+    /// Returns the number of momenta.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.forms.len()
+    }
+
+    /// Returns the matrices S_a.
+    pub(super) fn forms(&self) -> &[DMatrix<f64>] {
+        &self.forms
+    }
+
+    /// Writes the momenta J_a(z). Those for which there is no room are left out.
+    pub fn values<T: Real>(&self, z: &[T], momenta: &mut [T]) {
+        momenta.fill(T::zero());
+        for &(a, i, j, value) in &self.entries {
+            if let (Some(x), Some(y), Some(momentum)) = (z.get(i), z.get(j), momenta.get_mut(a)) {
+                *momentum += *x * *y * (0.5 * value);
+            }
+        }
+    }
+
+    /// Writes the Hamiltonian vector of Σ ξ_a J_a at z: (∂/∂p, −∂/∂q).
+    pub(super) fn generator<T: Real>(&self, xi: &[T], z: &[T], vector: &mut [T]) {
+        vector.fill(T::zero());
+        let m = self.freedoms;
+        for &(a, i, j, value) in &self.entries {
+            let (Some(xi), Some(y)) = (xi.get(a), z.get(j)) else { continue };
+            let slope = *xi * *y * value;
+            match i < m {
+                true => vector[m + i] -= slope,
+                false => vector[i - m] += slope,
+            }
+        }
+    }
+}
+
+/// Returns the common number of rows of square matrices.
+fn sizes(matrices: &[DMatrix<f64>]) -> Result<usize, FormulaSystemError> {
+    let Some(first) = matrices.first() else { return Err(wrong("there is no matrix".into())) };
+    let size = first.nrows();
+    for (a, matrix) in (1..).zip(matrices) {
+        if matrix.shape() != (size, size) || size == 0 {
+            let (rows, columns) = matrix.shape();
+            return Err(wrong(format!(
+                "matrix {a} has the shape {rows} × {columns}; {size} × {size} is needed"
+            )));
+        }
+        if let Some(value) = matrix.iter().find(|value| !value.is_finite()) {
+            return Err(wrong(format!("matrix {a} has the entry {value}")));
+        }
+    }
+    Ok(size)
+}
+
+/// Returns the error of a realisation.
+pub(super) fn wrong(problem: String) -> FormulaSystemError {
+    FormulaSystemError::Realisation { problem }
+}

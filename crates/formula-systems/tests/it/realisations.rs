@@ -1,0 +1,275 @@
+//! Realisations of one's own, and Clebsch maps of algebras of any dimension.
+
+use crate::support::{distance, end, system};
+use heavytop::methods::{Formulation, SchemeName};
+use lie_poisson_formula_systems::{FormulaSystem, QuadraticMomenta, SystemAlgebra, Verdict};
+use lie_poisson_formulas::Parameters;
+use nalgebra::DMatrix;
+
+fn named(text: &str) -> SystemAlgebra {
+    SystemAlgebra::named(text).unwrap()
+}
+
+/// Returns the matrices of so(n) on Rⁿ in the order of the coordinates L12, L13, ….
+fn rotations(n: usize) -> Vec<DMatrix<f64>> {
+    let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
+    let matrix = |(i, j)| {
+        let mut matrix = DMatrix::zeros(n, n);
+        (matrix[(j, i)], matrix[(i, j)]) = (1.0, -1.0);
+        matrix
+    };
+    pairs.map(matrix).collect()
+}
+
+/// Returns the forms S of the quadratic functions q_i q_j, q_i p_j, p_i p_j in the order of sp(2n, R).
+fn quadratics(n: usize) -> Vec<DMatrix<f64>> {
+    let form = |i: usize, j: usize| {
+        let mut form = DMatrix::zeros(2 * n, 2 * n);
+        form[(i, j)] += 1.0;
+        form[(j, i)] += 1.0;
+        form
+    };
+    let upper =
+        |first: usize| (0..n).flat_map(move |i| (i..n).map(move |j| (first + i, first + j)));
+    let all = (0..n).flat_map(|i| (0..n).map(move |j| (i, n + j)));
+    upper(0).chain(all).chain(upper(n)).map(|(i, j)| form(i, j)).collect()
+}
+
+fn verdict(algebra: &SystemAlgebra, momenta: &QuadraticMomenta) -> Verdict {
+    momenta.verdict(algebra.table(), algebra.coordinates()).unwrap()
+}
+
+#[test]
+fn representations_and_quadratic_functions_are_poisson_maps() {
+    for n in [4, 5] {
+        let algebra = named(&format!("so({n})"));
+        let momenta = QuadraticMomenta::of_representation(&rotations(n)).unwrap();
+        let found = verdict(&algebra, &momenta);
+        assert!(found.is_plus && found.defect < 1e-15 && found.descends(), "{found:?}");
+        // One vector and its momentum reach the planes alone.
+        assert_eq!(found.rank, 2 * n - 3, "{found:?}");
+    }
+    for n in [1, 2] {
+        let algebra = named(&format!("sp({},R)", 2 * n));
+        let found = verdict(&algebra, &QuadraticMomenta::new(quadratics(n)).unwrap());
+        assert!(found.is_plus && found.defect < 1e-15 && found.descends(), "{found:?}");
+        assert_eq!(found.rank, 2 * n);
+    }
+}
+
+/// The other sign of the matrices is the other bracket, and a motion goes on as it did.
+#[test]
+fn both_signs_make_one_motion() {
+    let so3 = named("so(3)");
+    let hat = |sign: f64| {
+        let places = [(1, 2), (2, 0), (0, 1)];
+        let matrix = places.map(|(i, j)| {
+            let mut matrix = DMatrix::zeros(3, 3);
+            (matrix[(j, i)], matrix[(i, j)]) = (sign, -sign);
+            matrix
+        });
+        QuadraticMomenta::of_representation(&matrix).unwrap()
+    };
+    assert!(verdict(&so3, &hat(1.0)).is_plus && !verdict(&so3, &hat(-1.0)).is_plus);
+    let gauss = (Formulation::Collective, SchemeName::Gauss(4));
+    let start = [1.0, 2.0, 0.5];
+    let run =
+        |algebra| end(&system(algebra, "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2"), gauss, &start, (0.1, 100));
+    let hopf = run(so3.clone());
+    for sign in [1.0, -1.0] {
+        let own = run(so3.clone().with_realisation(hat(sign)).unwrap());
+        assert!(distance(&own, &hopf) < 1e-7, "{sign}: {:e}", distance(&own, &hopf));
+    }
+    // Control: the plus bracket is another motion.
+    let other =
+        FormulaSystem::new(so3, "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2", &Parameters::new()).unwrap();
+    let other = end(&other.with_plus_bracket().unwrap(), gauss, &start, (0.1, 100));
+    assert!(distance(&other, &hopf) > 0.1);
+}
+
+/// Along three vectors, and along the Clebsch map, Gauss's methods keep the Casimirs of so(5) to round-off and have their
+/// order; the direct method keeps those of degree 2 alone.
+#[test]
+fn collective_methods_on_so5_keep_the_casimirs() {
+    let text = "L12^2/2 + L13^2/3 + L23^2/5 + L14^2/4 + L25*L34/7 + L45^2";
+    let start = [0.5, -0.3, 0.2, 0.7, 0.4, 0.1, -0.6, 0.3, 0.2, 0.8];
+    let three: Vec<DMatrix<f64>> = rotations(5)
+        .iter()
+        .map(|rho| {
+            let mut sum = DMatrix::zeros(15, 15);
+            (0..3).for_each(|i| sum.view_mut((5 * i, 5 * i), (5, 5)).copy_from(rho));
+            sum
+        })
+        .collect();
+    let momenta = QuadraticMomenta::of_representation(&three).unwrap();
+    assert_eq!(verdict(&named("so(5)"), &momenta).rank, 10);
+    let own = named("so(5)").with_realisation(momenta).unwrap();
+    assert_eq!(own.default_formulation(), Formulation::Collective);
+    // Without momenta of one's own, so(5) by name has those of its matrices, and by its brackets those of a Clebsch map.
+    let by_name = named("so(5)");
+    let entries = by_name.entries().to_vec();
+    let by_brackets = SystemAlgebra::of_entries(by_name.coordinates().clone(), entries).unwrap();
+    assert_eq!(by_brackets.default_formulation(), Formulation::Direct);
+    for (name, algebra) in [("own", own), ("name", by_name), ("Clebsch", by_brackets)] {
+        let body = system(algebra, text);
+        assert_eq!(body.casimir_degrees(), [2, 4]);
+        let before = body.invariants(&start).unwrap();
+        let run = |formulation, (step, steps)| {
+            let state = end(&body, (formulation, SchemeName::Gauss(2)), &start, (step, steps));
+            let after = body.invariants(&state).unwrap();
+            let lost = before
+                .iter()
+                .zip(&after)
+                .skip(1)
+                .map(|(a, b)| (a - b).abs() / a.abs())
+                .collect::<Vec<_>>();
+            (state, lost)
+        };
+        let (coarse, lost) = run(Formulation::Collective, (0.1, 40));
+        let (fine, _) = run(Formulation::Collective, (0.05, 80));
+        let (finest, _) = run(Formulation::Collective, (0.025, 160));
+        let descends = {
+            let method =
+                body.algebra().method(Formulation::Collective, SchemeName::Gauss(2), 0.0).unwrap();
+            body.descends(&method, &start).unwrap()
+        };
+        if name != "Clebsch" {
+            assert!(descends && lost.iter().all(|lost| *lost < 1e-12), "{lost:?}");
+        }
+        let order = (distance(&coarse, &fine) / distance(&fine, &finest)).log2();
+        assert!((order - 4.0).abs() < 0.3, "{name}: {order}");
+        let (_, lost) = run(Formulation::Direct, (0.1, 40));
+        assert!(lost[0] < 1e-12 && lost[1] > 1e-9, "{lost:?}");
+    }
+}
+
+#[test]
+fn what_is_no_realisation_is_taught() {
+    let so3 = named("so(3)");
+    let message = |momenta: &QuadraticMomenta| {
+        momenta.verdict(so3.table(), so3.coordinates()).unwrap_err().to_string()
+    };
+    let mut matrices: Vec<DMatrix<f64>> = {
+        let places = [(1, 2), (2, 0), (0, 1)];
+        places
+            .map(|(i, j)| {
+                let mut matrix = DMatrix::zeros(3, 3);
+                (matrix[(j, i)], matrix[(i, j)]) = (1.0, -1.0);
+                matrix
+            })
+            .into()
+    };
+    let two = QuadraticMomenta::of_representation(&matrices[..2]).unwrap();
+    assert_eq!(message(&two), "realisation: there are 2 matrices for an algebra of dimension 3");
+    // Twice the matrices: all brackets are twice too large.
+    let double: Vec<_> = matrices.iter().map(|matrix| matrix * 2.0).collect();
+    let said = message(&QuadraticMomenta::of_representation(&double).unwrap());
+    assert!(
+        said.ends_with("2.000000 times what they should be: divide the matrices by 2.000000"),
+        "{said}"
+    );
+    // One of another length.
+    matrices[1] *= 3.0;
+    let said = message(&QuadraticMomenta::of_representation(&matrices).unwrap());
+    assert!(
+        said.starts_with("realisation: the momenta are no Poisson map: {Pi")
+            && !said.contains("divide"),
+        "{said}"
+    );
+    let refused = |forms: Vec<DMatrix<f64>>| QuadraticMomenta::new(forms).unwrap_err().to_string();
+    assert!(refused(vec![]).contains("there is no matrix"));
+    assert!(refused(vec![DMatrix::zeros(3, 3)]).contains("an odd number"));
+    assert!(refused(vec![DMatrix::zeros(2, 3)]).contains("the shape 2 × 3"));
+    assert!(refused(vec![DMatrix::from_element(2, 2, f64::NAN)]).contains("NaN"));
+    assert!(
+        refused(vec![DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 2.0, 0.0])])
+            .contains("not symmetric")
+    );
+    // One vector does not reach a generic momentum of so(4).
+    let own = named("so(4)")
+        .with_realisation(QuadraticMomenta::of_representation(&rotations(4)).unwrap())
+        .unwrap();
+    let body = FormulaSystem::new(own, "L12^2", &Parameters::new()).unwrap();
+    let method = body.algebra().method(Formulation::Collective, SchemeName::Gauss(2), 0.0).unwrap();
+    let error =
+        body.tangent_integrator(&method, &[1.0, 0.2, 0.3, 0.4, 0.5, 2.0]).unwrap_err().to_string();
+    assert!(error.contains("not in the image of the realisation"), "{error}");
+}
+
+/// Lifts and motions do not depend on the unit of the momenta.
+#[test]
+fn units_of_momenta_do_not_matter() {
+    let momenta = QuadraticMomenta::of_representation(&rotations(4)).unwrap();
+    let two: Vec<DMatrix<f64>> = rotations(4)
+        .iter()
+        .map(|rho| {
+            let mut sum = DMatrix::zeros(8, 8);
+            (0..2).for_each(|i| sum.view_mut((4 * i, 4 * i), (4, 4)).copy_from(rho));
+            sum
+        })
+        .collect();
+    assert_eq!(momenta.size(), 8);
+    let own = named("so(4)")
+        .with_realisation(QuadraticMomenta::of_representation(&two).unwrap())
+        .unwrap();
+    let run = |unit: f64| {
+        let text = format!("(L12^2/2 + L13^2/3 + L24^2 + L14*L23/4)/{unit:e}");
+        let body = FormulaSystem::new(own.clone(), &text, &Parameters::new()).unwrap();
+        let start = [0.5, -0.3, 0.2, 0.7, 0.4, 0.1].map(|x| x * unit);
+        let state = end(&body, (Formulation::Collective, SchemeName::Gauss(3)), &start, (0.1, 20));
+        state.iter().map(|x| x / unit).collect::<Vec<_>>()
+    };
+    let plain = run(1.0);
+    for unit in [1e-30, 1e-9, 1e12, 1e30] {
+        assert!(distance(&run(unit), &plain) < 1e-12, "{unit:e}");
+    }
+}
+
+/// Which algebras by expression are realised by their own matrices: those that contain the cubes of their matrices.
+#[test]
+fn algebras_by_expression_have_collective_methods() {
+    for (text, collective) in [
+        ("so(4)", true),
+        ("so(6)", true),
+        ("so(2,2)", true),
+        ("so(1,3)", true),
+        ("sp(4,R)", true),
+        ("gl(2)", true),
+        ("gl(3)", true),
+        ("sl(3,R)", false),
+        ("su(3)", false),
+        ("se(4)", false),
+        ("galilei", false),
+        ("so(12)", false),
+    ] {
+        let algebra = named(text);
+        let is_default = algebra.default_formulation() == Formulation::Collective;
+        assert_eq!(is_default, collective, "{text}");
+        assert_eq!(algebra.verdict().is_some(), collective, "{text}");
+        if let Some(verdict) = algebra.verdict() {
+            assert_eq!(verdict.rank, algebra.dimension());
+            assert!(verdict.is_plus && verdict.descends());
+        }
+    }
+    // A run on each keeps the Casimirs, also those of degree 4.
+    for text in ["so(4)", "so(1,3)", "sp(4,R)", "gl(2)"] {
+        let algebra = named(text);
+        let squares: Vec<String> = algebra
+            .coordinates()
+            .names()
+            .enumerate()
+            .map(|(i, name)| format!("{name}^2/{}", i + 2))
+            .collect();
+        let start: Vec<f64> =
+            (0..algebra.dimension()).map(|i| 0.3 * (f64::from(i as u32) * 1.9).cos()).collect();
+        let body = system(algebra, &squares.join(" + "));
+        let before = body.invariants(&start).unwrap();
+        let state = end(&body, (Formulation::Collective, SchemeName::Gauss(4)), &start, (0.1, 50));
+        let after = body.invariants(&state).unwrap();
+        assert!(distance(&state, &start) > 0.01, "{text} does not move");
+        assert!(body.casimirs().len() > 1);
+        for (before, after) in before.iter().zip(&after).skip(1) {
+            assert!((before - after).abs() < 1e-12, "{text}: {before} {after}");
+        }
+    }
+}
