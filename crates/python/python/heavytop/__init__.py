@@ -31,6 +31,7 @@ from .ensembles import solve_many
 from .events import Event
 from .kinds import BodyInFluid, EllipticalVortex, Gyrostat, RigidBody, SpinChain, TopOnBase, Vortices
 from .methods import FORMULATIONS, SCHEMES
+from .realisation import Realisation
 from .solution import Crossings, Solution
 from .system import System
 from .top import Top
@@ -48,6 +49,7 @@ __all__ = [
     "FORMULATIONS",
     "Gyrostat",
     "IntegrationError",
+    "Realisation",
     "RigidBody",
     "SCHEMES",
     "Solution",

@@ -101,6 +101,7 @@ class System:
     formulations: list[str]
     groups: list[tuple[str, int]]
     has_plus_bracket: bool
+    verdict: Optional[tuple[bool, float, int, float]]
     def __reduce__(self) -> tuple[object, ...]: ...
     def __new__(
         cls,
@@ -108,6 +109,7 @@ class System:
         hamiltonian: Optional[Source],
         parameters: Sequence[Parameter],
         has_plus_bracket: bool,
+        realisation: Optional[tuple[list[list[list[float]]], bool]],
     ) -> System: ...
     def invariant_values(self, states: Floats) -> Floats: ...
     def rates(self, states: Floats) -> Floats: ...

@@ -45,6 +45,10 @@ class System(SystemDescription):
         kind: instead of algebra and Hamiltonian, the name of a system of the library, such as "body-with-rotors"; its
             parameters go in `parameters`. Each has a class, too: `Vortices`, `SpinChain`, `Gyrostat` and others.
         bracket: "minus" or "plus".
+        representation: matrices of shape (d, n, n), real or complex, of a representation of the algebra. The collective
+            formulation then goes along the momenta J_a = p.rho_a q, and is the default.
+        momenta: instead of these, symmetric matrices S of shape (d, 2m, 2m) of the momenta J_a = z.S_a z/2, z = (q, p). Either
+            sign of the matrices will do; `realisation` tells what they obey.
 
     Raises:
         ValueError: if the formula is none, with the place in its text; if the brackets break the Jacobi identity; if there
@@ -74,6 +78,19 @@ class System(SystemDescription):
         >>> chain = System("so(3)^3", "-sum(S[i]·S[i+1]) - S3[3]", coordinates=["S"], bracket="plus")
         >>> chain.rate([1, 0, 0, 0, 1, 0, 0, 1, 0])[-3:].round(1).tolist()
         [1.0, 0.0, 0.0]
+
+        A body on so(4) along two vectors of R^4, by the matrices of the rotations of its planes:
+
+        >>> import numpy as np
+        >>> planes = [(i, j) for i in range(4) for j in range(i + 1, 4)]
+        >>> def rotation(i, j):
+        ...     rho = np.zeros((4, 4))
+        ...     rho[j, i], rho[i, j] = 1, -1
+        ...     return np.kron(np.eye(2), rho)
+        >>> matrices = [rotation(i, j) for i, j in planes]
+        >>> body = System("so(4)", "L12^2/2 + L13^2/3 + L34^2", representation=matrices)
+        >>> body.realisation.bracket, body.realisation.rank, body.realisation.descends
+        ('plus', 6, True)
 
         A rotor on the line, by its brackets:
 

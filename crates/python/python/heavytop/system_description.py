@@ -13,6 +13,7 @@ from .algebras import Algebra, Brackets, algebra_source, native_parameters
 from .arguments import array, choice, real
 from .events import Function, function_source
 from .methods import SCHEMES, tolerance_of
+from .realisation import Realisation, realisation
 from .solution import Floats, names_of_groups
 
 Parameters = Mapping[str, Union[float, ArrayLike]]
@@ -35,14 +36,17 @@ class SystemDescription:
         structure_constants: Optional[ArrayLike] = None,
         kind: Optional[str] = None,
         bracket: Optional[str] = None,
+        representation: Optional[ArrayLike] = None,
+        momenta: Optional[ArrayLike] = None,
     ) -> None:
         self._numbers, self._parameters = native_parameters(parameters or {})
         given = Algebra(algebra, coordinates, brackets, structure_constants)
         self._kind = None if kind is None else str(kind)
         if self._kind is not None:
-            if hamiltonian is not None or bracket is not None or any(part is not None for part in given):
+            others = (hamiltonian, bracket, representation, momenta, *given)
+            if any(part is not None for part in others):
                 raise ValueError("a kind has its algebra and its Hamiltonian: write neither, or leave out kind")
-            self._system = _native.System((self._kind,), None, self._numbers, False)
+            self._system = _native.System((self._kind,), None, self._numbers, False, None)
             self._names = names_of_groups(self._system.groups)
         else:
             if hamiltonian is None:
@@ -51,7 +55,8 @@ class SystemDescription:
             self._names = names_of_groups(_native.coordinate_groups(source, self._numbers))
             function = function_source("hamiltonian", hamiltonian, self._names, self._parameters)
             is_plus = choice("bracket", bracket or "minus", ("minus", "plus")) == "plus"
-            self._system = _native.System(source, function, self._numbers, is_plus)
+            own = realisation(representation, momenta)
+            self._system = _native.System(source, function, self._numbers, is_plus, own)
         self._algebra = algebra or self._kind or "brackets"
 
     @property
@@ -82,6 +87,15 @@ class SystemDescription:
     def bracket(self) -> str:
         """The sign of the bracket, "minus" or "plus"."""
         return "plus" if self._system.has_plus_bracket else "minus"
+
+    @property
+    def realisation(self) -> Optional[Realisation]:
+        """What the matrices obey along which the collective formulation goes; None if it goes along none."""
+        verdict = self._system.verdict
+        if verdict is None:
+            return None
+        is_plus, defect, rank, odd_powers = verdict
+        return Realisation("plus" if is_plus else "minus", defect, rank, odd_powers, odd_powers < 1e-10)
 
     @property
     def missing_casimirs(self) -> int:

@@ -2,8 +2,9 @@
 
 use crate::errors::refused;
 use core::ops::Range;
-use lie_poisson_formula_systems::{SystemAlgebra, SystemKind};
+use lie_poisson_formula_systems::{QuadraticMomenta, SystemAlgebra, SystemKind};
 use lie_poisson_formulas::{Coordinates, NameError, Parameters, StructureEntry};
+use nalgebra::DMatrix;
 use pyo3::{FromPyObject, IntoPyObject, PyResult, pyfunction};
 
 /// A parameter: its name, its numbers, and whether it is a vector.
@@ -65,6 +66,27 @@ impl AlgebraSource {
         }
         .map_err(refused)
     }
+}
+
+/// The matrices of a realisation by rows, and whether they are those of a representation. If not, they are those of quadratic
+/// momenta.
+pub(crate) type Realisation = (Vec<Vec<Vec<f64>>>, bool);
+
+/// Returns an algebra with momenta of its own.
+pub(crate) fn realised(
+    algebra: SystemAlgebra,
+    (matrices, is_representation): &Realisation,
+) -> PyResult<SystemAlgebra> {
+    let matrix = |rows: &Vec<Vec<f64>>| {
+        let columns = rows.first().map_or(0, Vec::len);
+        DMatrix::from_row_iterator(rows.len(), columns, rows.iter().flatten().copied())
+    };
+    let matrices: Vec<DMatrix<f64>> = matrices.iter().map(matrix).collect();
+    let momenta = match is_representation {
+        true => QuadraticMomenta::of_representation(&matrices),
+        false => QuadraticMomenta::new(matrices),
+    };
+    momenta.and_then(|momenta| algebra.with_realisation(momenta)).map_err(refused)
 }
 
 /// The names of the scalars and vectors of coordinates, with their dimensions; 0 for a scalar.

@@ -1,6 +1,8 @@
 //! A Lie–Poisson system as a Python class.
 
-use super::algebra::{AlgebraSource, Groups, ParameterArgument, groups, parameters};
+use super::algebra::{
+    AlgebraSource, Groups, ParameterArgument, Realisation, groups, parameters, realised,
+};
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::formulas::{FormulaSource, expressions};
@@ -12,7 +14,7 @@ use crate::runs::interruption::until_interrupted;
 use collective_integrators::diagnostics::SystemScales;
 use core::sync::atomic::Ordering;
 use heavytop::methods::{Method, MethodError};
-use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemKind};
+use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemKind, Verdict};
 use lie_poisson_formulas::Vocabulary;
 use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -29,7 +31,8 @@ pub struct System {
 }
 
 /// The arguments from which a system is made; a system by name has no Hamiltonian of its own.
-type Source = (AlgebraSource, Option<FormulaSource>, Vec<ParameterArgument>, bool);
+type Source =
+    (AlgebraSource, Option<FormulaSource>, Vec<ParameterArgument>, bool, Option<Realisation>);
 
 #[pymethods]
 impl System {
@@ -41,6 +44,7 @@ impl System {
         hamiltonian: Option<FormulaSource>,
         arguments: Vec<ParameterArgument>,
         has_plus_bracket: bool,
+        realisation: Option<Realisation>,
     ) -> PyResult<Self> {
         let given = parameters(&arguments)?;
         let system = match (&algebra, &hamiltonian) {
@@ -50,6 +54,10 @@ impl System {
             }
             (_, Some(hamiltonian)) => {
                 let named = algebra.algebra(&given)?;
+                let named = match &realisation {
+                    Some(realisation) => realised(named, realisation)?,
+                    None => named,
+                };
                 let names = named.vocabulary(&given).map_err(refused)?;
                 // A formula that is refused is refused here, with its text.
                 hamiltonian.formula(&names)?;
@@ -71,7 +79,8 @@ impl System {
         };
         // What the user has given has names in events, too.
         let names = system.algebra().vocabulary(&given).map_err(refused)?;
-        Ok(Self { system, names, source: (algebra, hamiltonian, arguments, has_plus_bracket) })
+        let source = (algebra, hamiltonian, arguments, has_plus_bracket, realisation);
+        Ok(Self { system, names, source })
     }
 
     /// The names of the scalars and vectors of coordinates, with their dimensions; 0 for a scalar.
@@ -123,6 +132,15 @@ impl System {
         let first = algebra.default_formulation();
         let others = algebra.formulations().filter(|other| *other != first);
         core::iter::once(first).chain(others).map(|f| f.name().to_owned()).collect()
+    }
+
+    /// What the realisation obeys along which collective steps go, if it is one by matrices: whether its bracket is the plus
+    /// bracket, the defect of the brackets, the rank, and the defect of the odd powers.
+    #[getter]
+    fn verdict(&self) -> Option<(bool, f64, usize, f64)> {
+        let verdict = self.system.algebra().verdict()?;
+        let Verdict { is_plus, defect, rank, odd_powers } = verdict;
+        Some((is_plus, defect, rank, odd_powers))
     }
 
     /// Returns h and the Casimirs of each of n states, as n rows.
