@@ -3,6 +3,7 @@
 use super::bracket_texts::entries;
 use super::expressions::parser::parse;
 use super::expressions::part::Part;
+use super::family::{Family, MOST_DIMENSIONS};
 use crate::error::FormulaSystemError;
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use crate::realisations::verdict::Verdict;
@@ -20,27 +21,6 @@ const WIDTHS: [usize; 2] = [3, 6];
 
 /// The dimensions of the algebras of matrices that are realised by their own matrices.
 const OWN_MATRICES: core::ops::RangeInclusive<usize> = 4..=64;
-
-/// The kind of an algebra. It decides which methods, besides the direct ones, integrate its systems.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Family {
-    /// The algebras of rotations, so(3) and su(2).
-    Rotations,
-    /// Sums of several such algebras.
-    ManyRotations,
-    /// The algebra of rigid motions, se(3).
-    Motions,
-    /// Any other Lie algebra.
-    Other,
-}
-
-impl Family {
-    /// Returns the kind of the direct sum with an algebra of another kind.
-    pub(crate) fn with(self, other: Self) -> Self {
-        let rotates = |family| matches!(family, Self::Rotations | Self::ManyRotations);
-        if rotates(self) && rotates(other) { Self::ManyRotations } else { Self::Other }
-    }
-}
 
 /// A Lie algebra 𝔤 of up to 256 dimensions, with names for the coordinates of its dual.
 ///
@@ -76,7 +56,7 @@ pub struct SystemAlgebra {
 
 impl SystemAlgebra {
     /// The largest dimension of an algebra.
-    pub const MOST_DIMENSIONS: usize = 256;
+    pub const MOST_DIMENSIONS: usize = MOST_DIMENSIONS;
 
     /// Returns the algebra of an expression, such as `so(3)`, `so(3)^64` or `so(4) ⋉ (R4 + R4)`.
     ///

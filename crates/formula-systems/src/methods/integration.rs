@@ -5,7 +5,7 @@ use super::clebsch::invariant_guard::InvariantGuard;
 use super::formula_of_sites::FormulaOfSites;
 use super::offers::refusal;
 use super::table_field::TableField;
-use crate::algebras::system_algebra::Family;
+use crate::algebras::family::Family;
 use crate::error::FormulaSystemError;
 use crate::realisations::collective::RealisedCollective;
 use crate::realisations::quadratic_momenta::QuadraticMomenta;

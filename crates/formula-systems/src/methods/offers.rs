@@ -1,6 +1,7 @@
 //! The formulations and schemes that an algebra has.
 
-use crate::algebras::system_algebra::{Family, SystemAlgebra};
+use crate::algebras::family::Family;
+use crate::algebras::system_algebra::SystemAlgebra;
 use crate::error::FormulaSystemError;
 use heavytop::methods::{Formulation, Method, SchemeName};
 

@@ -84,7 +84,7 @@ impl QuadraticMomenta {
     }
 
     /// Returns the matrices of {J_a, J_b} for a < b: S_a 𝕁 S_b − S_b 𝕁 S_a.
-    fn brackets(&self) -> Vec<(usize, usize, DMatrix<f64>)> {
+    fn brackets(&self) -> Vec<Bracket> {
         let turned: Vec<DMatrix<f64>> = self.forms().iter().map(turned).collect();
         let pairs = (0..self.count()).flat_map(|b| (0..b).map(move |a| (a, b)));
         let forms = self.forms();
@@ -92,12 +92,7 @@ impl QuadraticMomenta {
     }
 
     /// Returns the worst deviation of the brackets from the structure constants times a factor.
-    fn fault(
-        &self,
-        algebra: &StructureTable,
-        brackets: &[(usize, usize, DMatrix<f64>)],
-        factor: f64,
-    ) -> Fault {
+    fn fault(&self, algebra: &StructureTable, brackets: &[Bracket], factor: f64) -> Fault {
         let size = brackets.iter().map(|(.., matrix)| matrix.amax()).fold(0.0, f64::max);
         let expected = |a: usize, b: usize| {
             let zero = DMatrix::zeros(self.size(), self.size());
@@ -121,7 +116,7 @@ impl QuadraticMomenta {
         &self,
         algebra: &StructureTable,
         names: &[String],
-        (brackets, fault): (&[(usize, usize, DMatrix<f64>)], &Fault),
+        (brackets, fault): (&[Bracket], &Fault),
     ) -> String {
         let ((a, b), name) = (fault.pair, |i: usize| names.get(i).cloned().unwrap_or_default());
         let constants = (0..self.count()).map(|k| (k, algebra.constant(a, b, k)));
@@ -193,6 +188,9 @@ impl QuadraticMomenta {
             .fold(0.0, f64::max)
     }
 }
+
+/// The indices of two momenta, and the matrix of their bracket.
+type Bracket = (usize, usize, DMatrix<f64>);
 
 /// A pair of momenta, and how far their bracket is from what it must be.
 struct Fault {

@@ -2,7 +2,7 @@
 
 use super::level_set::{Level, LevelSet};
 use super::orbit::Orbit;
-use crate::algebras::system_algebra::Family;
+use crate::algebras::family::Family;
 use crate::error::FormulaSystemError;
 use crate::systems::formula_system::FormulaSystem;
 use lie_poisson_formulas::Coordinates;

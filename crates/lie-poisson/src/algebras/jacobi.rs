@@ -1,6 +1,5 @@
 //! The Jacobi identity for a table of structure constants of any size.
 
-use crate::algebras::structure_table::StructureEntry;
 use generic_scalars::larger;
 
 /// The brackets of the basis vectors, in numbers whose products do not overflow.
@@ -13,11 +12,14 @@ pub(crate) struct Brackets {
 }
 
 impl Brackets {
-    /// Creates the table of structure constants whose indices are below the dimension.
-    pub(crate) fn new(dimension: usize, entries: &[StructureEntry]) -> Self {
+    /// Creates the table of structure constants (i, j, k, c[i][j][k]) whose indices are below the dimension.
+    pub(crate) fn new(
+        dimension: usize,
+        entries: impl Iterator<Item = (usize, usize, usize, f64)>,
+    ) -> Self {
         let mut rows = vec![Vec::new(); dimension * dimension];
         let mut norms = vec![0.0; dimension * dimension];
-        for &StructureEntry { i, j, k, value } in entries {
+        for (i, j, k, value) in entries {
             rows[i * dimension + j].push((k, Extended::new(value)));
             norms[i * dimension + j] = larger(norms[i * dimension + j], value.abs());
         }

@@ -182,7 +182,8 @@ impl StructureTable {
         let dimension = self.dimension;
         // 3N products of two constants, each rounded three times, and their sum.
         let allowed = 12.0 * dimension as f64 * f64::EPSILON;
-        let table = Brackets::new(dimension, &self.entries);
+        let entries = self.entries.iter().map(|entry| (entry.i, entry.j, entry.k, entry.value));
+        let table = Brackets::new(dimension, entries);
         // The cyclic sum of an antisymmetric bracket is alternating.
         for i in 0..dimension {
             for (j, k) in (i + 1..dimension).flat_map(|j| (j + 1..dimension).map(move |k| (j, k))) {

@@ -130,7 +130,8 @@ class System(SystemDescription):
             formulation: so(3), su(2), se(3) and sums of so(3) and su(2) have "collective", by a Poisson map from a canonical space, which is
                 their default, and "reduced", the same steps without a lift. With the implicit schemes and the compositions
                 both conserve every Casimir to round-off. Every algebra has "direct", which keeps quadratic Casimirs with
-                the implicit schemes. Those of dimension 2 to 6 have "collective" by a Clebsch map, too, which keeps
+                the implicit schemes. so(n), so(p,q), sp(2n,R) and gl(n) of dimension 4 to 64 have "collective" along copies
+                of their matrices, their default. Others of dimension 2 to 20 have it by a Clebsch map, which keeps
                 Casimirs to the order of the scheme, or to round-off where the representation allows it.
             tolerance: of the stage equations of implicit schemes, relative to the state, at most 1e-3; 0 iterates to
                 round-off.

@@ -5,7 +5,8 @@ use collective_integrators::{AnyState, Direction, Start, StepError};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::So3;
 use lie_poisson_formula_systems::{
-    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemKind, SystemSection, structure_table,
+    FormulaSystem, FormulaSystemError, QuadraticMomenta, SystemAlgebra, SystemKind, SystemSection,
+    structure_table,
 };
 use lie_poisson_formulas::{Coordinates, Parameters, StructureEntry, find_casimirs};
 
@@ -29,6 +30,7 @@ pub fn algebras() -> Vec<String> {
         refused(SystemAlgebra::named("so4")),
         refused(SystemAlgebra::named("so(3")),
         refused(SystemAlgebra::named("so(3)^2").and_then(|spins| spins.with_symbols(&["S", "T"]))),
+        refused(QuadraticMomenta::new(Vec::new())),
         refused(SystemAlgebra::of_entries(Coordinates::new(), Vec::new())),
         refused(named("sin")),
         refused(brackets(&[], &taken)),

@@ -1,7 +1,9 @@
 //! Errors of Lie algebras and their representations.
 
 use super::refused;
-use lie_poisson::{Cocycle, InfinitesimalAdjoint, StructureConstants};
+use lie_poisson::{
+    Cocycle, InfinitesimalAdjoint, StructureConstants, StructureEntry, StructureTable,
+};
 
 /// Returns the errors of tables of constants and of linear maps that are what they should not be.
 pub fn errors() -> Vec<String> {

@@ -6,7 +6,7 @@ use super::matrices::{
     special_unitary, symplectic,
 };
 use super::part::Part;
-use crate::algebras::system_algebra::{Family, SystemAlgebra};
+use crate::algebras::family::{Family, MOST_DIMENSIONS};
 use crate::error::FormulaSystemError;
 use lie_poisson_formulas::NameError;
 
@@ -23,7 +23,7 @@ use Argument::{Number, Reals};
 pub(super) fn atom(name: &str, arguments: &[Argument]) -> Option<Result<Part, FormulaSystemError>> {
     // An algebra with too many dimensions is refused before it is computed.
     let small = |dimension: usize, make: &dyn Fn() -> Result<Part, NameError>| {
-        let most = SystemAlgebra::MOST_DIMENSIONS;
+        let most = MOST_DIMENSIONS;
         match (1..=most).contains(&dimension) {
             true => make().map_err(FormulaSystemError::Coordinates),
             false => Err(FormulaSystemError::Dimension { count: dimension, most }),

@@ -2,7 +2,7 @@
 
 use super::matrices::pairs;
 use super::part::Part;
-use crate::algebras::system_algebra::Family;
+use crate::algebras::family::Family;
 use lie_poisson_formulas::{Coordinates, NameError, StructureEntry};
 
 /// Brackets of basis vectors, collected one by one.

@@ -1,7 +1,7 @@
 //! Algebras of matrices: so(n), so(p, q), su(n), sl(n, R), gl(n, R) and sp(2n, R).
 
 use super::part::{Part, Representation, Space};
-use crate::algebras::system_algebra::Family;
+use crate::algebras::family::Family;
 use lie_poisson_formulas::{Coordinates, NameError, StructureEntry};
 use nalgebra::DMatrix;
 

@@ -3,7 +3,7 @@
 use super::atoms::{Argument, FORMS, atom};
 use super::part::{Part, Space};
 use super::tokens::{Token, tokens, wrong};
-use crate::algebras::system_algebra::SystemAlgebra;
+use crate::algebras::family::MOST_DIMENSIONS;
 use crate::error::FormulaSystemError;
 
 /// Returns the algebra of a text:
@@ -203,7 +203,7 @@ fn space(word: &str) -> Option<Space> {
 }
 
 fn require_dimension(count: usize) -> Result<(), FormulaSystemError> {
-    let most = SystemAlgebra::MOST_DIMENSIONS;
+    let most = MOST_DIMENSIONS;
     match count <= most {
         true => Ok(()),
         false => Err(FormulaSystemError::Dimension { count, most }),

@@ -1,6 +1,6 @@
 //! A Lie algebra with names, of which expressions are made: [`Part`].
 
-use crate::algebras::system_algebra::Family;
+use crate::algebras::family::Family;
 use crate::error::FormulaSystemError;
 use lie_poisson_formulas::{Coordinates, StructureEntry};
 use nalgebra::DMatrix;
