@@ -52,7 +52,7 @@ fn algebras_of_the_library_are_those_of_their_expressions() {
 /// Those above degree 4 are not searched.
 #[test]
 fn every_form_has_the_casimirs_of_the_field() {
-    let table: [(&str, usize, &[u8], usize); 22] = [
+    let table: [(&str, usize, &[u8], usize); 23] = [
         ("so(2)", 1, &[1], 0),
         ("so(4)", 6, &[2, 2], 0),
         ("so(5)", 10, &[2, 4], 0),
@@ -64,6 +64,7 @@ fn every_form_has_the_casimirs_of_the_field() {
         ("sl(3,R)", 8, &[2, 3], 0),
         ("gl(2)", 4, &[1, 2], 0),
         ("gl(3,R)", 9, &[1, 2, 3], 0),
+        ("gl(4)", 16, &[1, 2, 3, 4], 0),
         ("sp(2,R)", 3, &[2], 0),
         ("sp(4,R)", 10, &[2, 4], 0),
         ("heisenberg(1)", 3, &[1], 0),

@@ -6,7 +6,7 @@ use crate::text::formula_error::Problem;
 use std::collections::HashMap;
 
 /// The largest number of registers, and the sizes of the arrays that hold them.
-pub(crate) const SIZES: [usize; 5] = [16, 32, 64, 256, 1024];
+pub(crate) const SIZES: [usize; 6] = [16, 32, 64, 256, 1024, 8192];
 
 /// The instructions on registers, and the contents of the registers before the first instruction.
 pub(crate) struct Allocation {

@@ -106,7 +106,7 @@ impl Tape {
     /// Computes the results at `inputs` coordinates and passes the first `outputs` of them on; none if the tape has
     /// another number of coordinates.
     ///
-    /// The registers are an array on the stack, of the smallest of five sizes that suffices, or of three for SIMD
+    /// The registers are an array on the stack, of the smallest of six sizes that suffices, or of three for SIMD
     /// lanes in wide registers. Nothing is allocated.
     #[cfg_attr(optimised, inline(always))]
     fn evaluate<T: Real, R>(
@@ -118,6 +118,7 @@ impl Tape {
     ) -> R {
         // Only code that is inlined into the code for wide registers can use their instructions.
         match self.size {
+            8192 => self.evaluate_apart(counts, input, own, results),
             _ if T::HAS_SLOW_PATHS => self.evaluate_apart(counts, input, own, results),
             16 => self.evaluate_in::<T, R, { SIZES[0] }>(counts, input, own, results),
             32 | 64 => self.evaluate_in::<T, R, { SIZES[2] }>(counts, input, own, results),
@@ -138,6 +139,7 @@ impl Tape {
             32 => self.evaluate_in::<T, R, { SIZES[1] }>(counts, input, own, results),
             64 => self.evaluate_in::<T, R, { SIZES[2] }>(counts, input, own, results),
             256 => self.evaluate_in::<T, R, { SIZES[3] }>(counts, input, own, results),
+            8192 => self.evaluate_in::<T, R, { SIZES[5] }>(counts, input, own, results),
             _ => self.evaluate_in::<T, R, { SIZES[4] }>(counts, input, own, results),
         }
     }

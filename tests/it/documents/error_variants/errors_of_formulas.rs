@@ -65,7 +65,7 @@ pub fn problems() -> Vec<String> {
     let problem = |text: &str| -> Result<(), Problem> {
         Formula::new(text, &names).map(|_| ()).map_err(|error| error.problem().clone())
     };
-    let product: Vec<String> = (1..2000).map(|n| format!("sin({n}*Pi1)")).collect();
+    let product: Vec<String> = (1..4700).map(|n| format!("sin({n}*Pi1)")).collect();
     let plane = Vocabulary::new(&Coordinates::scalars(["x", "y"]).unwrap(), &Parameters::new());
     let area = Formula::new("x*y", &plane.unwrap()).unwrap();
     let other_space = FormulaHamiltonian::<So3>::of(&area).map_err(|e| e.problem().clone());

@@ -7,12 +7,13 @@ use crate::casimirs::bracket_table::BracketTable;
 use crate::casimirs::monomials::{equations, monomials};
 use crate::casimirs::polynomial::Polynomial;
 
-/// Returns residues that behave like random ones and are the same in every run.
+/// Returns residues that behave like random ones and are the same in every run. They obey no linear recurrence, by which the
+/// coordinates of a matrix would make one of small rank.
 fn generic(count: usize) -> Vec<Residue> {
     let mut state = Residue::new(0x5deece66d);
     (0..count)
         .map(|_| {
-            state = state * Residue::new(0x2545_f491_4f6c_dd1d) + Residue::new(0xb);
+            state = state * state + Residue::new(0xb);
             state
         })
         .collect()

@@ -60,7 +60,7 @@ impl<T: Lanes> TaskOver<T, Stateless> for OnUnfusedLanes {
 }
 
 /// Numbers of terms for which the values and the derivatives take from few registers to more than 256.
-const COUNTS: [usize; 4] = [3, 12, 40, 100];
+const COUNTS: [usize; 5] = [3, 12, 40, 100, 300];
 
 /// Returns a formula in which so many terms are needed again after the last of them has been computed.
 fn with_terms_in_use(count: usize) -> String {
@@ -83,12 +83,10 @@ fn formulas_of_any_length_have_their_value() {
         let product: f64 = terms.iter().map(|term| 1.0 + term / count as f64).product();
         let expected = terms.iter().sum::<f64>() + product;
         // Up to 100 angles of up to 72 rad, each rounded by up to 2⁻⁴⁷, and as many sums up to 100, each by up to 2⁻⁴⁷: 1.4e-12
-        // if all errors had one sign.
-        assert!((h.value(&z) - expected).abs() < 1.5e-12, "{count}: {} {expected}", h.value(&z));
+        // if all errors had one sign; with n terms, n² as much.
+        let allowed = 1.5e-12 * (count as f64 / 100.0).powi(2).max(1.0);
+        assert!((h.value(&z) - expected).abs() < allowed, "{count}: {} {expected}", h.value(&z));
     }
-    // Control: a few terms more need more than the largest number of registers, 1024.
-    let error = Formula::new(&with_terms_in_use(150), &heavy_top()).unwrap_err();
-    assert!(matches!(error.problem(), Problem::TooLarge { limit: 1024, .. }), "{error}");
 }
 
 #[test]
