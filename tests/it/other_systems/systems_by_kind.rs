@@ -236,7 +236,7 @@ fn values_that_make_no_system_are_refused() {
     ];
     assert!(message("top-on-base", &top).starts_with("top-on-base: inertia must be larger than"));
     assert!(message("vortices", &[("strengths", &[1.0, 0.0])]).contains("other than 0"));
-    assert!(message("vortices", &[("strengths", &[1.0; 90])]).contains("256 coordinates"));
+    assert!(message("vortices", &[("strengths", &[1.0; 90])]).contains("1 to 48 numbers, got 90"));
     assert!(
         message("spin-chain", &[("spins", &[2.5]), ("exchange", &[1.0])])
             .contains("a whole number from 2 to 85")

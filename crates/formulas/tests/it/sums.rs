@@ -90,10 +90,8 @@ fn what_is_no_sum_is_refused() {
     assert!(matches!(problem("sum"), Err(Problem::MissingArgument { .. })));
     assert!(matches!(problem("sum()"), Err(Problem::SumIndex)));
     assert!(matches!(problem("sum(x[i] x[i])"), Err(Problem::MissingOperator { .. })));
-    assert!(matches!(
-        problem("sum(x[i]*k[j]*S[l][1]*k[m]*k[n]*k[o]*k[p], i, j, l, m, n, o, p)"),
-        Ok(_)
-    ));
+    let seven = "sum(x[i]*k[j]*S[l][1]*k[m]*k[n]*k[o]*k[p], i, j, l, m, n, o, p)";
+    assert!(problem(seven).is_ok());
     assert!(matches!(
         problem("sum(x[i]*k[j]*k[l]*k[m]*k[n]*k[o]*k[p]*k[q], i, j, l, m, n, o, p, q)"),
         Err(Problem::TooLarge { .. })

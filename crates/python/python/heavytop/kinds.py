@@ -166,7 +166,7 @@ class Vortices(_Vectors):
     A start is given by the positions, an array of shape (N, 3).
 
     Args:
-        strengths: the circulation of each vortex, m^2/s.
+        strengths: the circulation of each vortex, m^2/s; up to 48.
 
     Example:
         Two equal vortices turn about the point between them, at the rate k/(4 pi) for a right angle:

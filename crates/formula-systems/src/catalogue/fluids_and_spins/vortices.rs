@@ -47,8 +47,15 @@ pub(in crate::catalogue) const VORTICES: SystemKind = SystemKind {
 /// The largest distance of a vortex from the unit sphere, that of positions with six digits.
 const ON_SPHERE: f64 = 1e-5;
 
+/// The largest number of vortices: the differential has a term for each pair.
+const MOST: usize = 48;
+
 fn describe(given: &Given<'_>) -> Result<Description, KindError> {
     let strengths = given.values("strengths");
+    if strengths.len() > MOST {
+        let needed = format!("1 to {MOST} numbers, got {}", strengths.len());
+        return Err(KindError::Value("strengths", needed));
+    }
     if let Some(value) = strengths.iter().find(|strength| !strength.recip().is_finite()) {
         return Err(KindError::Value("strengths", format!("other than 0, got {value}")));
     }

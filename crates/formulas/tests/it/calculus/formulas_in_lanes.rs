@@ -1,11 +1,11 @@
 //! Formulas over SIMD lanes have the bits of formulas over `f64`.
 
-use crate::support::{FORMULAS, POINTS, formula, heavy_top, point};
+use crate::support::{FORMULAS, POINTS, formula, point};
 use lie_poisson::{
     DefaultLanes, InstructionSet, LaneTask, Lanes, Se3Dual, State, StorageOver, TaskOver,
     UnfusedWorkspace, Vector, Width, dispatch, dispatch_unfused,
 };
-use lie_poisson_formulas::{Formula, Problem};
+use lie_poisson_formulas::Formula;
 
 /// Returns the point of lane `i` in all coordinates, and the points of all lanes.
 fn lanes_of<T: Lanes>(points: &[Se3Dual]) -> Se3Dual<T> {
@@ -59,7 +59,7 @@ impl<T: Lanes> TaskOver<T, Stateless> for OnUnfusedLanes {
     }
 }
 
-/// Numbers of terms for which the values and the derivatives take from few registers to more than 256.
+/// Numbers of terms for which the values and the derivatives take from few registers to more than 1024.
 const COUNTS: [usize; 5] = [3, 12, 40, 100, 300];
 
 /// Returns a formula in which so many terms are needed again after the last of them has been computed.
