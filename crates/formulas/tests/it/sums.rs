@@ -90,11 +90,15 @@ fn what_is_no_sum_is_refused() {
     assert!(matches!(problem("sum"), Err(Problem::MissingArgument { .. })));
     assert!(matches!(problem("sum()"), Err(Problem::SumIndex)));
     assert!(matches!(problem("sum(x[i] x[i])"), Err(Problem::MissingOperator { .. })));
-    let seven = "sum(x[i]*k[j]*S[l][1]*k[m]*k[n]*k[o]*k[p], i, j, l, m, n, o, p)";
-    assert!(problem(seven).is_ok());
+    assert!(problem("sum(x[i]*k[j]*S[l][1]*k[m]*k[n], i, j, l, m, n)").is_ok());
     assert!(matches!(
         problem("sum(x[i]*k[j]*k[l]*k[m]*k[n]*k[o]*k[p]*k[q], i, j, l, m, n, o, p, q)"),
         Err(Problem::TooLarge { .. })
     ));
     assert!(matches!(problem("x[99999999999999999999]"), Err(Problem::NotAnIndex)));
+    // Sums within each other multiply their terms.
+    let nested: String = ('a'..='p').map(|i| format!("sum(k[{i}]*")).collect();
+    let nested =
+        format!("{nested}J{}", ('a'..='p').rev().map(|i| format!(", {i})")).collect::<String>());
+    assert!(matches!(problem(&nested), Err(Problem::TooLarge { .. })), "{nested}");
 }

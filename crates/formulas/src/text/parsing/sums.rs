@@ -10,6 +10,9 @@ use core::ops::{Range, RangeInclusive};
 /// The largest number of terms of a sum.
 const MOST_TERMS: usize = 1 << 16;
 
+/// The largest number of parts of a formula with sums, which within each other multiply their terms.
+const MOST_PARTS: usize = 1 << 18;
+
 /// The indices of a sum, and which of their values belong together.
 struct Indices {
     names: Vec<String>,
@@ -42,6 +45,10 @@ impl Parser<'_> {
             self.bound.extend(bound);
             self.place = body;
             let term = self.expression(0)?;
+            if term > MOST_PARTS {
+                let problem = Problem::TooLarge { needed: term, limit: MOST_PARTS };
+                return Err(FormulaError::new(span, problem));
+            }
             self.bound.truncate(before);
             if self.place != end {
                 self.close(&Token::Comma, opened.clone(), "(", ")")?;
