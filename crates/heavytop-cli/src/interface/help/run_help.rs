@@ -179,20 +179,21 @@ Kinds, and their parameters (* if they may be left out):
 A kind without parameters is refused with their meaning and units.
 
 Algebras, of up to 256 dimensions, with their coordinates: so(3) Pi; su(2), su(n) mu; sl(2) alpha,
-beta, gamma; se(2) Pi, Gamma of two components; se(3) Pi, Gamma; se(3)+R3 Pi, P, Gamma, as of a body
-in two fields; so(n), so(p,q) L12, L13, ...; sl(n,R), gl(n) M11, ...; sp(2n,R) Q11, R11, P11, ...;
-heisenberg(n) q, p, z; galilei, bargmann, poincare(1,n) J, K, P, H; R3 p. Sums a + b, powers a^4, and
-semidirect products a |x R3 or a ⋉ (R3 + R3) with vectors Gamma.
-The columns are t, the coordinates, h and the Casimirs c1, c2, ..., which are found: polynomials up
-to degree 4, named in the summary and in the metadata. Formulas have + - * / ^, · and × between
+beta, gamma; se(2) Pi, Gamma of two components; se(3) Pi, Gamma; se(3)+R3 Pi, P, Gamma, as of a
+body in two fields; so(n), so(p,q) L12, L13, ...; sl(n,R), gl(n) M11, ...; sp(2n,R) Q11, R11, P11,
+...; heisenberg(n) q, p, z; galilei, bargmann, poincare(1,n) J, K, P, H; R3 p. Sums a + b, powers
+a^4, and semidirect products a |x R3 or a ⋉ (R3 + R3) with vectors Gamma.
+The columns are t, the coordinates, h and the Casimirs c1, c2, ..., which are found: polynomials
+up to degree 4, named in the summary and in the metadata. Formulas have + - * / ^, · and × between
 vectors, |v|, sqrt, cbrt, exp, ln, log10, sin, cos, tan, arcsin, arccos, arctan, sinh, cosh, tanh,
 atan2, hypot, if(x >= 1, y, z), sum(S[i]·S[i+1]), sum(S[i]·S[j], i < j), pi, and Greek letters by
-name (Gamma1) or as they are (Γ₁); there is no product without *. A coordinate must not have the name
-of another column. so(3), su(2), se(3) and sums of so(3) and su(2) have the formulations collective,
-reduced and direct; so(n), so(p,q), sp(2n,R) and gl(n) of dimension 4 to 64 collective, along copies of
-their matrices, and direct; other algebras of dimension 2 to 20 collective, on T*V by a Clebsch map,
-with a warning where its steps are not Poisson, and direct; the others direct, which is not Poisson.
-Without the key: collective where there is reduced, too, or along matrices, and direct elsewhere.
+name (Gamma1) or as they are (Γ₁); there is no product without *. A coordinate must not have the
+name of another column. so(3), su(2), se(3) and sums of so(3) and su(2) have the formulations
+collective, reduced and direct; so(n), so(p,q), sp(2n,R) and gl(n) of dimension 4 to 64
+collective, along copies of their matrices, and direct; other algebras of dimension 2 to 20
+collective, on T*V by a Clebsch map, with a warning where its steps are not Poisson, and direct;
+the others direct, which is not Poisson. Without the key: collective where there is reduced, too,
+or along matrices, and direct elsewhere.
 
 Examples:
   heavytop simulate --out kovalevskaya.csv        # the paper's top
