@@ -19,6 +19,9 @@ use std::sync::Arc;
 /// The dimensions of the Clebsch maps. A smaller algebra is completed by central coordinates, which stay zero.
 const WIDTHS: [usize; 2] = [3, 6];
 
+/// The dimensions of the algebras whose Clebsch maps are those of their adjoint representation.
+const ADJOINT_MAPS: core::ops::RangeInclusive<usize> = 7..=20;
+
 /// The dimensions of the algebras of matrices that are realised by their own matrices.
 const OWN_MATRICES: core::ops::RangeInclusive<usize> = 4..=64;
 
@@ -52,6 +55,8 @@ pub struct SystemAlgebra {
     pub(crate) family: Family,
     /// Momenta of one's own for the collective formulation, and what they obey.
     realisation: Option<(Arc<QuadraticMomenta>, Verdict)>,
+    /// Whether two copies of the adjoint representation reach an open part of 𝔤∗; they see no centre.
+    has_adjoint_map: bool,
 }
 
 impl SystemAlgebra {
@@ -186,7 +191,10 @@ impl SystemAlgebra {
         family: Family,
     ) -> Self {
         let entries = table.entries().iter().copied().filter(|entry| entry.i < entry.j).collect();
-        Self { name, coordinates, entries, table, family, realisation: None }
+        let is_large = ADJOINT_MAPS.contains(&table.dimension()) && family == Family::Other;
+        let momenta = is_large.then(|| QuadraticMomenta::clebsch(&table).ok()).flatten();
+        let has_adjoint_map = momenta.is_some_and(|momenta| momenta.rank() == table.dimension());
+        Self { name, coordinates, entries, table, family, realisation: None, has_adjoint_map }
     }
 
     /// Returns the algebra with other symbols for its coordinates, in the order in which their own symbols come: `S` for
@@ -244,6 +252,11 @@ impl SystemAlgebra {
     /// Returns the momenta of one's own, and what they obey.
     pub(crate) fn realisation(&self) -> Option<&(Arc<QuadraticMomenta>, Verdict)> {
         self.realisation.as_ref()
+    }
+
+    /// Returns whether the algebra has a Clebsch map.
+    pub(crate) fn has_clebsch_map(&self) -> bool {
+        (2..=6).contains(&self.dimension()) || self.has_adjoint_map
     }
 
     /// Returns the name in messages: that of [`named`](Self::named), or "this algebra".

@@ -5,15 +5,12 @@ use crate::algebras::system_algebra::SystemAlgebra;
 use crate::error::FormulaSystemError;
 use heavytop::methods::{Formulation, Method, SchemeName};
 
-/// The dimensions of the algebras with a Clebsch map.
-const CLEBSCH: core::ops::RangeInclusive<usize> = 2..=20;
-
 impl SystemAlgebra {
     /// Returns the formulations that the algebra has. [`method`](Self::method) has a table.
     pub fn formulations(&self) -> impl Iterator<Item = Formulation> {
         let known = self.family != Family::Other;
         let has_own = self.realisation().is_some();
-        let clebsch = CLEBSCH.contains(&self.dimension());
+        let clebsch = self.has_clebsch_map();
         let all = [Formulation::Collective, Formulation::Reduced, Formulation::Direct];
         all.into_iter().filter(move |formulation| match formulation {
             Formulation::Direct => true,
@@ -40,7 +37,7 @@ impl SystemAlgebra {
     /// | algebra | formulations |
     /// |---|---|
     /// | so(3), su(2), se(3) by name, and sums of so(3) and su(2) | collective, reduced, direct |
-    /// | another of dimension 2 to 20 | collective, by a Clebsch map; direct |
+    /// | another of dimension 2 to 6, or 7 to 20 without a centre | collective, by a Clebsch map; direct |
     /// | any other | direct |
     /// | so(n), so(p,q), sp(2n,R), gl(n) of dimension 4 to 64 | collective, along copies of their matrices; direct |
     /// | one with [momenta of your own](Self::with_realisation) | collective along these, beside the others |

@@ -19,17 +19,18 @@ impl QuadraticMomenta {
     /// # Errors
     /// Returns [`LiftError`] if none is found.
     pub(super) fn lift(&self, mu: &[f64]) -> Result<Vec<f64>, LiftError> {
-        let size = mu.iter().map(|x| x * x).sum::<f64>().sqrt();
+        // The size is that of the largest coordinate, whose square neither overflows nor underflows.
+        let size = mu.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         if size == 0.0 {
             return Ok(vec![0.0; self.size()]);
         }
-        // In units in which the momentum has the length 1, of which z has the square root.
+        // In units in which the largest coordinate is 1, of which z has the square root.
         let unit = DVector::from_iterator(mu.len(), mu.iter().map(|x| x / size));
         let found =
             (0..STARTS).find_map(|start| self.newton(generic(self.size(), start + 1), &unit));
         let lifted = found.map(|z| z.iter().map(|x| x * size.sqrt()).collect());
         lifted.ok_or(LiftError {
-            quantity: "the length of the momentum",
+            quantity: "μ",
             value: size,
             reason: "no point with this momentum was found: it is not in the image of the realisation",
         })
@@ -38,13 +39,20 @@ impl QuadraticMomenta {
     fn newton(&self, mut z: DVector<f64>, mu: &DVector<f64>) -> Option<DVector<f64>> {
         let mut values = DVector::zeros(mu.len());
         self.values(z.as_slice(), values.as_mut_slice());
-        z /= values.norm().sqrt();
+        let length = values.norm();
+        if length == 0.0 || !length.is_finite() {
+            return None;
+        }
+        z *= (mu.norm() / length).sqrt();
         let mut before = f64::INFINITY;
         for _ in 0..STEPS {
             self.values(z.as_slice(), values.as_mut_slice());
             let rest = mu - &values;
             let distance = rest.norm();
             // Rounding alone is left when a step no longer comes closer.
+            if !distance.is_finite() {
+                return None;
+            }
             if distance <= CLOSE || (distance < 1e-12 && distance >= 0.5 * before) {
                 return Some(z);
             }

@@ -151,7 +151,7 @@ impl QuadraticMomenta {
     }
 
     /// Returns the rank of dJ at a generic point.
-    fn rank(&self) -> usize {
+    pub(crate) fn rank(&self) -> usize {
         let z = generic(self.size(), 1);
         let rows: Vec<_> = self.forms().iter().map(|form| (form * &z).transpose()).collect();
         let matrix = DMatrix::from_rows(&rows);

@@ -201,6 +201,8 @@ fn what_is_no_algebra_says_where() {
         "so(3)^86",
         "R257",
         "so(18446744073709551616)",
+        "so(3) |x R3^200000000",
+        "so(3) ⋉ (R3^18446744073709551615 + R3)",
         "so(3)^99999999999999999999",
     ] {
         assert!(
@@ -208,6 +210,16 @@ fn what_is_no_algebra_says_where() {
             "{text}: {}",
             message(text)
         );
+    }
+}
+
+#[test]
+fn parentheses_have_a_bound() {
+    let nested = |n: usize| format!("{}so(3){}", "(".repeat(n), ")".repeat(n));
+    assert_eq!(named(&nested(60)).dimension(), 3);
+    for text in [nested(100_000), format!("so(3) ⋉ {}R3", "(".repeat(100_000))] {
+        let error = SystemAlgebra::named(&text).unwrap_err().to_string();
+        assert!(error.contains("no more than 64 parentheses inside each other"), "{}", error.len());
     }
 }
 

@@ -1,6 +1,7 @@
 //! Realisations of one's own, and Clebsch maps of algebras of any dimension.
 
 use crate::support::{distance, end, system};
+use collective_integrators::{AnyState, Integrator, Start};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson_formula_systems::{FormulaSystem, QuadraticMomenta, SystemAlgebra, Verdict};
 use lie_poisson_formulas::Parameters;
@@ -271,5 +272,62 @@ fn algebras_by_expression_have_collective_methods() {
         for (before, after) in before.iter().zip(&after).skip(1) {
             assert!((before - after).abs() < 1e-12, "{text}: {before} {after}");
         }
+    }
+}
+
+/// Starts with zeros, at which Casimirs have no terms, are followed as by the direct method.
+#[test]
+fn starts_with_zeros_are_followed() {
+    for (text, values) in [
+        ("so(4)", &[1.0, 0.5, 0.0, 1.0, 0.0, 0.0][..]),
+        ("so(4)", &[0.0, 1.0, 0.0, 0.0, 0.0, 0.0]),
+        ("so(2,2)", &[0.0, 1.0, 0.3, 0.0, 0.0, 0.0]),
+        ("gl(2)", &[0.0, 0.0, 0.0, 1.0]),
+        ("sl(2)", &[0.0, 0.0, 0.5]),
+        ("se(2)", &[1.0, 0.0, 0.0]),
+        ("so(3) ⋉ (R3 + R3)", &[1.0, 0.5, 0.2, 0.0, 0.0, 0.0, 0.3, 0.0, 0.4]),
+        ("se(3)+R3", &[1.0, 0.5, 0.2, 0.0, 0.0, 0.0, 0.3, 0.0, 0.4]),
+        ("so(4)", &[0.0; 6]),
+    ] {
+        let algebra = named(text);
+        let names: Vec<String> = algebra.coordinates().names().collect();
+        let squares = names.iter().enumerate().map(|(i, name)| format!("{name}^2/{}", i + 2));
+        let body = system(algebra, &squares.collect::<Vec<_>>().join(" + "));
+        let run = |formulation| end(&body, (formulation, SchemeName::Gauss(6)), values, (0.1, 20));
+        let (collective, direct) = (run(Formulation::Collective), run(Formulation::Direct));
+        assert!(
+            distance(&collective, &direct) < 1e-10,
+            "{text} {values:?}: {collective:?} {direct:?}"
+        );
+    }
+}
+
+#[test]
+fn algebras_whose_centre_is_not_reached_have_no_collective_method() {
+    for text in ["R7", "so(2)^8", "heisenberg(3)", "bargmann", "so(3) + R4"] {
+        assert_eq!(named(text).formulations().collect::<Vec<_>>(), [Formulation::Direct], "{text}");
+    }
+    // Momenta that are all zero reach nothing, and end.
+    let zero = QuadraticMomenta::new(vec![DMatrix::zeros(2, 2); 2]).unwrap();
+    let plane = named("R2").with_realisation(zero).unwrap();
+    assert_eq!(plane.verdict().unwrap().rank, 0);
+    let body = FormulaSystem::new(plane, "p1^2", &Parameters::new()).unwrap();
+    let method = body.algebra().method(Formulation::Collective, SchemeName::Gauss(2), 0.0).unwrap();
+    assert!(body.tangent_integrator(&method, &[1.0, 2.0]).is_err());
+    assert!(body.tangent_integrator(&method, &[0.0, 0.0]).is_ok());
+}
+
+/// Momenta whose squares underflow or overflow.
+#[test]
+fn momenta_of_all_sizes_have_lifts() {
+    for unit in [1e-200, 1e-170, 1e150] {
+        let body = system(named("so(4)"), &format!("(L12^2 + L13^2/2 + L34^2/3)*{:e}", 1.0 / unit));
+        let start = [1.0, 2.0, 0.0, 1.0, 0.0, 1.0].map(|x| x * unit);
+        let method =
+            body.algebra().method(Formulation::Collective, SchemeName::Gauss(2), 0.0).unwrap();
+        let integrator = body.tangent_integrator(&method, &start).unwrap();
+        let z = integrator.start(&AnyState::from_slice(&start)).unwrap();
+        let mu = Integrator::<f64>::momentum(&integrator, &z);
+        assert!(distance(mu.as_slice(), &start) < 1e-14 * unit, "{unit:e}: {mu:?}");
     }
 }

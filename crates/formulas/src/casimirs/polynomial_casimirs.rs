@@ -169,8 +169,10 @@ fn search_of(
             }
             (one, other) => one.or(other),
         };
-        let in_all_names = own.formulas.iter().filter_map(|f| f.renamed(&vocabulary).ok());
-        found.extend(own.degrees.iter().copied().zip(in_all_names));
+        let own = own.degrees.iter().zip(&own.formulas);
+        let in_all_names =
+            own.filter_map(|(degree, f)| Some((*degree, f.renamed(&vocabulary).ok()?)));
+        found.extend(in_all_names);
     }
     found.sort_by_key(|(degree, _)| *degree);
     (all.degrees, all.formulas) = found.into_iter().unzip();

@@ -1,6 +1,6 @@
 //! Errors of `[system]`: why a configuration describes no Lie–Poisson system.
 
-use lie_poisson_formula_systems::{FormulaSystemError, StructureTableError};
+use lie_poisson_formula_systems::{FormulaSystemError, StructureTableError, SystemKind};
 use lie_poisson_formulas::{NameError, Problem};
 use thiserror::Error;
 
@@ -94,11 +94,19 @@ fn keys_of(error: &FormulaSystemError) -> Vec<(String, &'static str)> {
         E::NoAlgebra { .. } | E::AlgebraText { .. } => key("algebra", ""),
         E::Symbols { .. } => key("coordinates", ""),
         E::NoKind { .. } => key("kind", ""),
-        E::KindParameter { name, .. } => [format!("parameters.{name}"), "parameters".into()]
-            .into_iter()
-            .chain(["kind".into()])
-            .map(|of| (below_system(&of), ""))
-            .collect(),
+        E::KindParameter { kind, name, .. } => {
+            let start = SystemKind::named(kind).ok().and_then(|kind| kind.start);
+            let of_start =
+                start.is_some_and(|start| start.given.iter().any(|own| own.name == name));
+            let table = if of_start { "initial" } else { "parameters" };
+            let keys = [
+                format!("initial.{name}"),
+                format!("parameters.{name}"),
+                table.into(),
+                "kind".into(),
+            ];
+            keys.map(|of| (below_system(&of), "")).to_vec()
+        }
         E::KindValue { name, .. } => [format!("parameters.{name}"), format!("initial.{name}")]
             .map(|of| (below_system(&of), ""))
             .to_vec(),

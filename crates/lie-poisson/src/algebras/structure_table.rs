@@ -103,7 +103,8 @@ pub struct StructureTable {
 }
 
 impl StructureTable {
-    /// Creates the algebra of a dimension from its structure constants, those with i > j too. What is not listed is zero.
+    /// Creates the algebra of a dimension from its structure constants, those with i > j too. What is not listed is zero, and
+    /// what is listed twice counts once.
     ///
     /// # Errors
     /// Returns [`StructureError`] if an index is too large, if a constant is not finite, if the bracket is not exactly
@@ -123,6 +124,7 @@ impl StructureTable {
         let nonzero = constants.into_iter().filter(|entry| entry.value != 0.0);
         let mut entries: Vec<StructureEntry> = nonzero.collect();
         entries.sort_by_key(place);
+        entries.dedup();
         let table = Self { dimension, entries: entries.into() };
         table.check()?;
         Ok(table)
@@ -166,6 +168,16 @@ impl StructureTable {
             }
             if !value.is_finite() {
                 return Err(StructureError::NotFinite { i, j, k, value });
+            }
+        }
+        // A constant with two values cannot be the negative of one.
+        for pair in self.entries.windows(2) {
+            if let [one, other] = pair
+                && place(one) == place(other)
+            {
+                let (i, j, k) = place(one);
+                let residual = one.value - other.value;
+                return Err(StructureError::NotAntisymmetric { i, j, k, residual });
             }
         }
         for &StructureEntry { i, j, k, value } in &*self.entries {

@@ -19,7 +19,7 @@ use crate::error::FormulaSystemError;
 /// [`FormulaSystemError::AlgebraText`] with the column where the text is no algebra, and
 /// [`FormulaSystemError::NoAlgebra`] for a name that there is not.
 pub(in crate::algebras) fn parse(text: &str) -> Result<Part, FormulaSystemError> {
-    let mut parser = Parser { text, tokens: tokens(text)?, next: 0 };
+    let mut parser = Parser { text, tokens: tokens(text)?, next: 0, level: 0 };
     let part = parser.sum()?;
     match parser.peek() {
         None => Ok(part),
@@ -31,7 +31,12 @@ struct Parser<'a> {
     text: &'a str,
     tokens: Vec<(usize, Token)>,
     next: usize,
+    /// The number of parentheses around the next token.
+    level: usize,
 }
+
+/// The largest number of parentheses inside each other.
+const MOST_LEVELS: usize = 64;
 
 impl Parser<'_> {
     fn peek(&self) -> Option<&Token> {
@@ -69,6 +74,8 @@ impl Parser<'_> {
         while self.take(&Token::Semidirect) {
             let column = self.column();
             let (space, copies) = self.vectors()?;
+            let vectors = copies.saturating_mul(space.dimension());
+            require_dimension(part.coordinates.dimension().saturating_add(vectors))?;
             let own = part.acts.as_ref().map(|acts| acts.space);
             let made = part.acting(copies).filter(|_| own == Some(space));
             part = made.ok_or_else(|| {
@@ -86,9 +93,10 @@ impl Parser<'_> {
         let column = self.column();
         let part = match self.peek().cloned() {
             Some(Token::Open) => {
-                self.next += 1;
+                self.open()?;
                 let part = self.sum()?;
                 self.close()?;
+                self.level -= 1;
                 part
             }
             Some(Token::Word(word)) => {
@@ -140,13 +148,14 @@ impl Parser<'_> {
     /// Returns the space after `⋉`, and how many copies of it there are.
     fn vectors(&mut self) -> Result<(Space, usize), FormulaSystemError> {
         let needed = "a space of vectors, such as R3 or C2,";
-        if !self.take(&Token::Open) {
+        if self.peek() != Some(&Token::Open) {
             let Some(space) = self.peek().and_then(word).and_then(space) else {
                 return Err(self.expected(needed));
             };
             self.next += 1;
             return Ok((space, self.exponent()?));
         }
+        self.open()?;
         let (first, mut copies) = self.vectors()?;
         while self.take(&Token::Plus) {
             let column = self.column();
@@ -158,9 +167,8 @@ impl Parser<'_> {
             copies = copies.saturating_add(count);
         }
         self.close()?;
-        let copies = copies.saturating_mul(self.exponent()?);
-        require_dimension(copies.saturating_mul(first.dimension()))?;
-        Ok((first, copies))
+        self.level -= 1;
+        Ok((first, copies.saturating_mul(self.exponent()?)))
     }
 
     /// Returns the number after `^`, or 1 without one.
@@ -174,6 +182,19 @@ impl Parser<'_> {
                 Ok(count)
             }
             _ => Err(self.expected("a number from 1 on")),
+        }
+    }
+
+    /// Takes an opening parenthesis.
+    fn open(&mut self) -> Result<(), FormulaSystemError> {
+        self.next += 1;
+        self.level += 1;
+        match self.level <= MOST_LEVELS {
+            true => Ok(()),
+            false => {
+                Err(self
+                    .expected(&format!("no more than {MOST_LEVELS} parentheses inside each other")))
+            }
         }
     }
 

@@ -32,7 +32,7 @@ pub(in crate::catalogue) const TOP_ON_BASE: SystemKind = SystemKind {
 };
 
 fn describe(given: &Given<'_>) -> Result<Description, KindError> {
-    given.require("inertia", Sign::Positive)?;
+    given.require_moments("inertia")?;
     given.require("mass", Sign::Positive)?;
     given.require("base_mass", Sign::NotNegative)?;
     given.require("gravity", Sign::NotNegative)?;

@@ -12,10 +12,12 @@ use momentum_map::LiftError;
 /// and the size S of the terms of f. In the time t since the last checkpoint, the change may be
 ///
 /// ```text
-/// |Δf| ≤ S ((h r)ᵖ (1 + r t) + ROUND_OFF),    S = max Σ_i |μ_i ∂_i f|,    r = max_j Σ_ik |c_ijk ∂_i h|
+/// |Δf| ≤ S ((h r)ᵖ (1 + r t) + ROUND_OFF) + ε′ m Σ_i |∂_i f(m, …, m)|,    S = max Σ_i |μ_i ∂_i f|,    r = max_j Σ_ik |c_ijk ∂_i h|
 /// ```
 ///
-/// with the largest S and r of the states before the step. A state that has left its orbit, or its level of the energy, by
+/// with the largest S and r of the states before the step. The last term, with the largest coordinate m and ε′ = 10⁻¹², is for
+/// invariants whose terms vanish: points of T∗V mix all coordinates, so that their rounding errors reach those that are zero.
+/// Where units make some coordinates a million times smaller than others, it hides losses of what depends on these alone. A state that has left its orbit, or its level of the energy, by
 /// more is wrong, even if it solves the equations of the step. For steps that resolve the motion the inequality holds with
 /// room, since r is a bound and the constants of the methods are small.
 pub(in crate::methods) struct InvariantGuard<I> {
@@ -35,6 +37,9 @@ struct Guarded {
 /// The relative change of an invariant that round-off may cause between two checkpoints.
 const ROUND_OFF: f64 = 1e-9;
 
+/// The rounding error of a coordinate between two checkpoints, relative to the largest coordinate.
+const MIXED: f64 = 1e-12;
+
 /// The storage of guarded steps: that of the integrator, and what changes are compared with.
 pub(in crate::methods) struct GuardedWorkspace<W, V> {
     inner: W,
@@ -47,6 +52,10 @@ pub(in crate::methods) struct GuardedWorkspace<W, V> {
 struct Record {
     values: Vec<f64>,
     terms: Vec<f64>,
+    /// The changes of the invariants that rounding errors of the largest coordinate may cause.
+    mixed: Vec<f64>,
+    /// The largest coordinate with which these were computed.
+    largest: f64,
     rate: f64,
     time: f64,
     /// The last momentum.
@@ -77,6 +86,8 @@ impl Guarded {
         Record {
             values: zeros(count),
             terms: zeros(count),
+            mixed: zeros(count),
+            largest: 0.0,
             rate: 0.0,
             time: 0.0,
             mu: zeros(n),
@@ -97,6 +108,8 @@ impl Guarded {
             *value = f.value_at(&since.mu);
         }
         since.terms.fill(0.0);
+        since.mixed.fill(0.0);
+        since.largest = 0.0;
         (since.rate, since.time) = (0.0, 0.0);
         self.note(since);
     }
@@ -110,6 +123,22 @@ impl Guarded {
             if index == 0 {
                 since.rate = larger(since.rate, self.rate(&since.slopes, &mut since.moved));
             }
+        }
+        let largest = since.mu.iter().fold(0.0_f64, |most, x| larger(most, x.abs()));
+        if largest <= since.largest {
+            return;
+        }
+        since.largest = largest;
+        since.moved.iter_mut().take(self.dimension).for_each(|x| *x = largest);
+        for (f, mixed) in self.invariants.iter().zip(&mut since.mixed) {
+            f.write_differential(
+                since.moved.get(..self.dimension).unwrap_or_default(),
+                &mut since.slopes,
+            );
+            let slopes: f64 = since.slopes.iter().map(|slope| slope.abs()).sum();
+            // Where the invariant has no slopes with equal coordinates, there is no bound.
+            let error = MIXED * largest * slopes;
+            *mixed = if error.is_finite() { larger(*mixed, error) } else { *mixed };
         }
     }
 
@@ -131,7 +160,8 @@ impl Guarded {
         let relative = order * (1.0 + since.rate * since.time) + ROUND_OFF;
         let before = since.values.iter().zip(&since.terms);
         for (index, (f, (before, terms))) in self.invariants.iter().zip(before).enumerate() {
-            let (change, allowed) = ((f.value_at(&since.mu) - before).abs(), relative * terms);
+            let change = (f.value_at(&since.mu) - before).abs();
+            let allowed = relative * terms + since.mixed.get(index).copied().unwrap_or(0.0);
             // A NaN is left to the error that says so.
             if change > allowed {
                 return Err(StepError::InvariantLost { index, change, allowed });

@@ -182,7 +182,7 @@ impl Parser<'_> {
         let (mut first, mut last) = (1_i64, i64::MAX);
         for (of, _, shift) in self.uses(body).into_iter().filter(|(_, name, _)| name == index) {
             let Some(count) = of.and_then(|name| count(self.names, &name)) else { continue };
-            first = first.max(1 - shift);
+            first = first.max(1_i64.saturating_sub(shift));
             last = last.min(i64::try_from(count).unwrap_or(i64::MAX).saturating_sub(shift));
         }
         match (usize::try_from(first), usize::try_from(last.max(0))) {

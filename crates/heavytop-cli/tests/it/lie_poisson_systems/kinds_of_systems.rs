@@ -198,3 +198,44 @@ fn what_is_no_algebra_and_no_start_is_refused() {
     assert!(message.contains("write neither"), "{message}");
     assert!(!folder.path("wrong.csv").exists());
 }
+
+/// The members of a sweep over strengths start at the positions, whatever their strengths.
+#[test]
+fn a_sweep_of_strengths_keeps_the_positions() {
+    let folder = Folder::new();
+    let system = "[system]\nkind = 'vortices'\nparameters.strengths = [1, 1]\n\
+                  initial.positions = [[1, 0, 0], [0, 1, 0]]\n[integrator]\nstep = 0.01\nend = 0.1\n";
+    let sweep = "[sweep]\nobservables = ['final-state']\n[[sweep.axes]]\n\
+                 parameter = 'system.parameters.strengths[0]'\nfrom = 0.5\nto = 2.5\ncount = 3\n";
+    folder.write("sweep.toml", &format!("{system}{sweep}"));
+    folder.write("run.toml", system);
+    succeeded(&folder.heavytop(&["sweep", "sweep.toml", "--out", "sweep"]));
+    let file = std::fs::File::open(folder.path("sweep/sweep.parquet")).unwrap();
+    let reader = parquet::file::serialized_reader::SerializedFileReader::new(file).unwrap();
+    for (row, strength) in reader.into_iter().zip([0.5, 1.5, 2.5]) {
+        let row = row.unwrap();
+        let cell = |name: &str| {
+            let (_, field) = row.get_column_iter().find(|(column, _)| *column == name).unwrap();
+            field.to_string().parse::<f64>().unwrap()
+        };
+        let set = format!("system.parameters.strengths=[{strength:?},1.0]");
+        succeeded(&folder.heavytop(&[
+            "simulate",
+            "run.toml",
+            "--set",
+            &set,
+            "--set",
+            "integrator.formulation=reduced",
+            "--out",
+            "run.csv",
+            "--force",
+        ]));
+        let (header, rows) = numbers(&folder.read("run.csv"));
+        let last = rows.last().unwrap();
+        for name in ["m_1_1", "m_2_3"] {
+            let place = header.iter().position(|column| column == name).unwrap();
+            assert!((cell(name) - last[place]).abs() < 1e-13, "{strength} {name}");
+        }
+        assert!((cell("m_1_1") - strength).abs() < 0.01);
+    }
+}

@@ -92,6 +92,11 @@ impl SystemFamily {
             true => self.system.clone(),
             false => table.formula_system_near(&self.system)?,
         };
+        // A start that is given by positions, say, depends on the parameters.
+        start = table.start(&system)?;
+        self.numbers.iter().zip(values).for_each(|(varied, value)| {
+            varied.set(*value, &mut table, &mut start);
+        });
         // Whether a Casimir is a polynomial may depend on the parameters; how many there are, on the kind of the algebra.
         let independent = |system: &FormulaSystem| {
             system.casimirs().len() + system.missing_casimirs().unwrap_or_default()
