@@ -12,14 +12,17 @@ use momentum_map::LiftError;
 /// and the size S of the terms of f. In the time t since the last checkpoint, the change may be
 ///
 /// ```text
-/// |Δf| ≤ S ((h r)ᵖ (1 + r t) + ROUND_OFF) + ε′ m Σ_i |∂_i f(m, …, m)|,    S = max Σ_i |μ_i ∂_i f|,    r = max_j Σ_ik |c_ijk ∂_i h|
+/// |Δf| ≤ S ((h r)ᵖ (1 + r t) + ROUND_OFF) + MIXED m Σ_i |∂_i f(m, …, m)|
+/// S = max Σ_i |μ_i ∂_i f|,    r = max_j Σ_ik |c_ijk ∂_i h|,    m = max_i |μ_i|
 /// ```
 ///
-/// with the largest S and r of the states before the step. The last term, with the largest coordinate m and ε′ = 10⁻¹², is for
-/// invariants whose terms vanish: points of T∗V mix all coordinates, so that their rounding errors reach those that are zero.
-/// Where units make some coordinates a million times smaller than others, it hides losses of what depends on these alone. A state that has left its orbit, or its level of the energy, by
-/// more is wrong, even if it solves the equations of the step. For steps that resolve the motion the inequality holds with
-/// room, since r is a bound and the constants of the methods are small.
+/// with the largest S, r and m of the states before the step. The last term is for invariants whose terms vanish: points of
+/// T∗V mix all coordinates, so that their rounding errors reach those that are zero. Where units make some coordinates a
+/// million times smaller than others, it hides losses of what depends on these alone.
+///
+/// A state that has left its orbit, or its level of the energy, by more is wrong, even if it solves the equations of the step.
+/// For steps that resolve the motion the inequality holds with room, since r is a bound and the constants of the methods are
+/// small.
 pub(in crate::methods) struct InvariantGuard<I> {
     integrator: I,
     guarded: Guarded,
