@@ -97,8 +97,8 @@ class TopOnBase(System):
     """
 
     def __init__(self, inertia: ArrayLike, mass: float, base_mass: float, gravity: float, center_of_mass: ArrayLike) -> None:
-        parameters = {"inertia": inertia, "mass": mass, "base_mass": base_mass, "gravity": gravity, "center_of_mass": center_of_mass}
-        super().__init__(kind="top-on-base", parameters=parameters)
+        masses = {"mass": mass, "base_mass": base_mass, "gravity": gravity}
+        super().__init__(kind="top-on-base", parameters={"inertia": inertia, "center_of_mass": center_of_mass, **masses})
 
 
 class _Vectors(System):

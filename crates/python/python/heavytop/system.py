@@ -127,13 +127,13 @@ class System(SystemDescription):
                 written with its sign or without.
             scheme: "implicit-midpoint", "gauss-4" ... "gauss-16", "explicit-midpoint", "rk4", or one of the compositions
                 "strang", "yoshida-4", "suzuki-4", "yoshida-6", "kahan-li-6" and "kahan-li-8".
-            formulation: so(3), su(2), se(3) and sums of so(3) and su(2) have "collective", by a Poisson map from a canonical space, which is
-                their default, and "reduced", the same steps without a lift. With the implicit schemes and the compositions
-                both conserve every Casimir to round-off. Every algebra has "direct", which keeps quadratic Casimirs with
-                the implicit schemes. so(n), so(p,q), sp(2n,R) and gl(n) of dimension 4 to 64 have "collective" along copies
-                of their matrices, their default. Others of dimension 2 to 6, or 7 to 20 without a
-                centre, have it by a Clebsch map, which keeps
-                Casimirs to the order of the scheme, or to round-off where the representation allows it.
+            formulation: so(3), su(2), se(3) and sums of so(3) and su(2) have "collective", by a Poisson map from a
+                canonical space, which is their default, and "reduced", the same steps without a lift. With the implicit
+                schemes and the compositions both conserve every Casimir to round-off. Every algebra has "direct", which
+                keeps quadratic Casimirs with the implicit schemes. so(n), so(p,q), sp(2n,R) and gl(n) of dimension 4 to 64
+                have "collective" along copies of their matrices, their default. Others of dimension 2 to 6, or 7 to 20
+                without a centre, have it by a Clebsch map, which keeps Casimirs to the order of the scheme, or to round-off
+                where the representation allows it.
             tolerance: of the stage equations of implicit schemes, relative to the state, at most 1e-3; 0 iterates to
                 round-off.
             every: keep each n-th sample; the last one is always kept.
