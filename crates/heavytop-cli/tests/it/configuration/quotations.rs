@@ -89,9 +89,9 @@ const QUOTED: &[(&str, &str, &str, &str, &str)] = &[
     ),
     (
         "simulate",
-        "[system]\nalgebra = 'so(3)'\ncoordinates = ['x']\nhamiltonian = 'x'\ninitial.x = 1",
-        "coordinates = ['x']",
-        "['x']",
+        "[system]\nalgebra = 'so(3)'\nbrackets = { 'x, y' = 'x' }\nhamiltonian = 'x'\ninitial.x = 1",
+        "brackets = { 'x, y' = 'x' }",
+        "{ 'x, y' = 'x' }",
         "leave out all but one",
     ),
     // A run that is too long: its end, or its step where that is farther from the usual one.
