@@ -363,7 +363,8 @@ fn the_systems_of_the_help_and_of_the_guide_run() {
     let mut count = 0;
     let table = guide.split("```text\n").find(|text| text.starts_with("i, j, k, value"));
     folder.write("so4.csv", table.unwrap().split("```").next().unwrap());
-    for text in in_help.chain(in_guide).filter(|text| text.contains("hamiltonian = ")) {
+    let is_whole = |text: &&str| ["hamiltonian = ", "kind = "].iter().any(|key| text.contains(key));
+    for text in in_help.chain(in_guide).filter(is_whole) {
         folder.write("system.toml", &format!("[system]\n{text}"));
         let end = ["--set", "integrator.end=2"];
         let run =
@@ -381,7 +382,7 @@ fn the_systems_of_the_help_and_of_the_guide_run() {
         }
         count += 1;
     }
-    assert_eq!(count, 9);
+    assert_eq!(count, 13);
 }
 
 /// A quantity without a value is an error that names the formula, the part without a value, and the state; before the
