@@ -19,15 +19,18 @@ impl QuadraticMomenta {
     /// # Errors
     /// Returns [`LiftError`] if none is found.
     pub(super) fn lift(&self, mu: &[f64]) -> Result<Vec<f64>, LiftError> {
-        // The size is that of the largest coordinate, whose square neither overflows nor underflows.
+        // Each coordinate in the unit of its matrix. The size is that of the largest, whose square neither overflows nor
+        // underflows.
+        let weights: Vec<f64> = self.forms().iter().map(|form| inverse(form.amax())).collect();
+        let mu: Vec<f64> = mu.iter().zip(&weights).map(|(x, weight)| x * weight).collect();
         let size = mu.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         if size == 0.0 {
             return Ok(vec![0.0; self.size()]);
         }
         // In units in which the largest coordinate is 1, of which z has the square root.
         let unit = DVector::from_iterator(mu.len(), mu.iter().map(|x| x / size));
-        let found =
-            (0..STARTS).find_map(|start| self.newton(generic(self.size(), start + 1), &unit));
+        let found = (0..STARTS)
+            .find_map(|start| self.newton(generic(self.size(), start + 1), &unit, &weights));
         let lifted = found.map(|z| z.iter().map(|x| x * size.sqrt()).collect());
         lifted.ok_or(LiftError {
             quantity: "μ",
@@ -36,9 +39,20 @@ impl QuadraticMomenta {
         })
     }
 
-    fn newton(&self, mut z: DVector<f64>, mu: &DVector<f64>) -> Option<DVector<f64>> {
-        let mut values = DVector::zeros(mu.len());
-        self.values(z.as_slice(), values.as_mut_slice());
+    /// Solves w_a J_a(z) = μ_a with the weights w.
+    fn newton(
+        &self,
+        mut z: DVector<f64>,
+        mu: &DVector<f64>,
+        weights: &[f64],
+    ) -> Option<DVector<f64>> {
+        let momenta = |z: &DVector<f64>| {
+            let mut values = DVector::zeros(mu.len());
+            self.values(z.as_slice(), values.as_mut_slice());
+            values.iter_mut().zip(weights).for_each(|(value, weight)| *value *= weight);
+            values
+        };
+        let values = momenta(&z);
         let length = values.norm();
         if length == 0.0 || !length.is_finite() {
             return None;
@@ -46,8 +60,7 @@ impl QuadraticMomenta {
         z *= (mu.norm() / length).sqrt();
         let mut before = f64::INFINITY;
         for _ in 0..STEPS {
-            self.values(z.as_slice(), values.as_mut_slice());
-            let rest = mu - &values;
+            let rest = mu - momenta(&z);
             let distance = rest.norm();
             // Rounding alone is left when a step no longer comes closer.
             if !distance.is_finite() {
@@ -57,7 +70,8 @@ impl QuadraticMomenta {
                 return Some(z);
             }
             before = distance;
-            let rows: Vec<_> = self.forms().iter().map(|form| (form * &z).transpose()).collect();
+            let rows = self.forms().iter().zip(weights);
+            let rows: Vec<_> = rows.map(|(form, w)| ((form * &z) * *w).transpose()).collect();
             let step = DMatrix::from_rows(&rows).svd(true, true).solve(&rest, 1e-10).ok()?;
             // A step longer than the point leaves the region in which the linear equations say something.
             let most = 0.5 * z.norm();
@@ -65,4 +79,9 @@ impl QuadraticMomenta {
         }
         None
     }
+}
+
+/// Returns the reciprocal of a size, or 1 for zero.
+fn inverse(size: f64) -> f64 {
+    if size > 0.0 { size.recip() } else { 1.0 }
 }

@@ -4,7 +4,8 @@ use super::quadratic_momenta::{QuadraticMomenta, wrong};
 use crate::error::FormulaSystemError;
 use lie_poisson::StructureTable;
 use lie_poisson_formulas::Coordinates;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::allocator::Allocator;
+use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OMatrix};
 
 /// The largest relative defect that counts as rounding.
 const ROUNDING: f64 = 1e-10;
@@ -15,7 +16,7 @@ pub struct Verdict {
     /// Whether the bracket of 𝔤∗ for which they are a Poisson map is the plus bracket: {J_a, J_b} = Σ c_abk J_k. If not, it
     /// is the minus bracket.
     pub is_plus: bool,
-    /// The largest deviation from these relations, relative to the size of the brackets.
+    /// The largest deviation from these relations, relative to the sizes of the two momenta and of their bracket.
     pub defect: f64,
     /// The rank of z ↦ J(z) at a generic point. The momenta reach an open part of 𝔤∗ if it is the dimension of 𝔤.
     pub rank: usize,
@@ -93,7 +94,6 @@ impl QuadraticMomenta {
 
     /// Returns the worst deviation of the brackets from the structure constants times a factor.
     fn fault(&self, algebra: &StructureTable, brackets: &[Bracket], factor: f64) -> Fault {
-        let size = brackets.iter().map(|(.., matrix)| matrix.amax()).fold(0.0, f64::max);
         let expected = |a: usize, b: usize| {
             let zero = DMatrix::zeros(self.size(), self.size());
             (0..self.count()).fold(zero, |sum, k| match algebra.constant(a, b, k) {
@@ -101,11 +101,17 @@ impl QuadraticMomenta {
                 c => sum + &self.forms()[k] * (c * factor),
             })
         };
-        let size = brackets.iter().map(|(a, b, _)| expected(*a, *b).amax()).fold(size, f64::max);
-        let unit = if size > 0.0 { size } else { 1.0 };
-        let faults = brackets.iter().map(|(a, b, found)| Fault {
-            pair: (*a, *b),
-            defect: (found - expected(*a, *b)).amax() / unit,
+        // Each pair has a size of its own, so that the units of the momenta do not matter.
+        let faults = brackets.iter().map(|(a, b, found)| {
+            let expected = expected(*a, *b);
+            let size = self.forms()[*a].amax() * self.forms()[*b].amax();
+            let size = size.max(found.amax()).max(expected.amax());
+            let defect = match size {
+                0.0 => 0.0,
+                size => (found - expected).amax() / size,
+            };
+            // What overflows is no relation that holds.
+            Fault { pair: (*a, *b), defect: if defect.is_nan() { f64::INFINITY } else { defect } }
         });
         let none = Fault { pair: (0, 0), defect: 0.0 };
         faults.fold(none, |worst, fault| if fault.defect > worst.defect { fault } else { worst })
@@ -153,10 +159,9 @@ impl QuadraticMomenta {
     /// Returns the rank of dJ at a generic point.
     pub(crate) fn rank(&self) -> usize {
         let z = generic(self.size(), 1);
-        let rows: Vec<_> = self.forms().iter().map(|form| (form * &z).transpose()).collect();
-        let matrix = DMatrix::from_rows(&rows);
-        let largest = matrix.amax();
-        matrix.rank(1e-9 * largest.max(f64::MIN_POSITIVE) * self.size() as f64)
+        // Rows of the length 1, so that the units of the momenta do not matter.
+        let rows = self.forms().iter().map(|form| unit(form * &z).transpose());
+        DMatrix::from_rows(&rows.collect::<Vec<_>>()).rank(1e-9)
     }
 
     /// Returns whether steps along the momenta descend to 𝔤∗.
@@ -166,11 +171,12 @@ impl QuadraticMomenta {
 
     /// Returns the largest distance of the cube of a generic matrix 𝕁S_ξ from these matrices, relative to its size.
     pub(crate) fn odd_powers(&self) -> f64 {
-        let basis: Vec<DMatrix<f64>> = self.forms().iter().map(turned).collect();
+        let basis = self.forms().iter().map(|form| unit(turned(form)));
+        let basis: Vec<DMatrix<f64>> = basis.collect();
         let columns: Vec<_> =
             basis.iter().map(|b| DVector::from_column_slice(b.as_slice())).collect();
         let span = DMatrix::from_columns(&columns).svd(true, false);
-        let kept = span.rank(1e-12 * span.singular_values.amax());
+        let kept = span.rank(1e-12);
         let Some(directions) = span.u.map(|u| u.columns(0, kept).into_owned()) else {
             return f64::NAN;
         };
@@ -196,6 +202,21 @@ type Bracket = (usize, usize, DMatrix<f64>);
 struct Fault {
     pair: (usize, usize),
     defect: f64,
+}
+
+/// Returns a matrix of the length 1 in the same direction, or zero.
+fn unit<R: Dim, C: Dim>(matrix: OMatrix<f64, R, C>) -> OMatrix<f64, R, C>
+where
+    DefaultAllocator: Allocator<R, C>,
+{
+    // The largest entry first, whose square may overflow.
+    let largest = matrix.amax();
+    if largest == 0.0 {
+        return matrix;
+    }
+    let matrix = matrix / largest;
+    let length = matrix.norm();
+    matrix / length
 }
 
 /// Returns 𝕁S: the rows of p, then the negative of the rows of q.

@@ -331,3 +331,72 @@ fn momenta_of_all_sizes_have_lifts() {
         assert!(distance(mu.as_slice(), &start) < 1e-14 * unit, "{unit:e}: {mu:?}");
     }
 }
+
+/// so(3) ⋉ R³ in units in which Γ is 10⁻²⁰ or 10²⁰ times as large: the matrices of the translations scale with it.
+#[test]
+fn units_of_one_vector_do_not_matter() {
+    let affine = |unit: f64| {
+        let mut matrices = Vec::new();
+        for (i, j) in [(1, 2), (2, 0), (0, 1)] {
+            let mut turn = DMatrix::zeros(4, 4);
+            (turn[(j, i)], turn[(i, j)]) = (1.0, -1.0);
+            matrices.push(turn);
+        }
+        for i in 0..3 {
+            let mut shift = DMatrix::zeros(4, 4);
+            shift[(i, 3)] = unit;
+            matrices.push(shift);
+        }
+        let pair = |m: &DMatrix<f64>| {
+            let mut twice = DMatrix::zeros(8, 8);
+            twice.view_mut((0, 0), (4, 4)).copy_from(m);
+            twice.view_mut((4, 4), (4, 4)).copy_from(m);
+            twice
+        };
+        QuadraticMomenta::of_representation(&matrices.iter().map(pair).collect::<Vec<_>>()).unwrap()
+    };
+    let se3 = named("se(3)");
+    let run = |unit: f64| {
+        let own = se3.clone().with_realisation(affine(unit)).unwrap();
+        let found = own.verdict().unwrap();
+        assert!(found.is_plus && found.defect < 1e-15 && found.rank == 6, "{unit:e}: {found:?}");
+        let text = format!("(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2 + Gamma1*{:e}", 1.0 / unit);
+        let start = [0.5, -0.2, 0.7, 0.6 * unit, 0.0, 0.8 * unit];
+        let top = FormulaSystem::new(own, &text, &Parameters::new()).unwrap();
+        let mut state =
+            end(&top, (Formulation::Collective, SchemeName::Gauss(3)), &start, (0.05, 20));
+        state[3..].iter_mut().for_each(|x| *x /= unit);
+        state
+    };
+    let plain = run(1.0);
+    for unit in [1e-20, 1e20] {
+        assert!(
+            distance(&run(unit), &plain) < 1e-9,
+            "{unit:e}: {:e}",
+            distance(&run(unit), &plain)
+        );
+    }
+    // A wrong bracket of a small vector is not hidden by large ones.
+    let mut forms = affine(1e-20);
+    assert!(forms.verdict(se3.table(), se3.coordinates()).is_ok());
+    let wrong: Vec<DMatrix<f64>> = (0..6)
+        .map(|i| {
+            let mut matrix = DMatrix::zeros(4, 4);
+            match i {
+                0..3 => {
+                    let (a, b) = [(1, 2), (2, 0), (0, 1)][i];
+                    (matrix[(b, a)], matrix[(a, b)]) = (1.0, -1.0);
+                }
+                _ => matrix[(i - 3, 3)] = if i == 4 { 2e-20 } else { 1e-20 },
+            }
+            matrix
+        })
+        .collect();
+    forms = QuadraticMomenta::of_representation(&wrong).unwrap();
+    assert!(forms.verdict(se3.table(), se3.coordinates()).is_err());
+    // Matrices whose products overflow are refused.
+    let huge: Vec<_> = rotations(3).iter().map(|matrix| matrix * 1e200).collect();
+    let huge = QuadraticMomenta::of_representation(&huge).unwrap();
+    let so3 = named("so(3)");
+    assert!(huge.verdict(so3.table(), so3.coordinates()).is_err());
+}
