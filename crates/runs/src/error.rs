@@ -37,6 +37,12 @@ pub enum RunFailure {
         /// The name of the algebra.
         algebra: String,
     },
+    /// The integrators of the system have no tangent maps.
+    #[error("the integrators of {kind} have no tangent vectors")]
+    NoTangents {
+        /// The name of the kind of system.
+        kind: &'static str,
+    },
     /// A saved state does not fit the integrator of the run.
     #[error("the saved state has {found} numbers, that of the integrator {expected}")]
     SavedState {

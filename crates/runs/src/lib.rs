@@ -54,11 +54,15 @@
 
 mod error;
 mod models;
+mod arrays;
 mod runs;
 #[cfg(feature = "contests")]
 #[cfg_attr(docsrs, doc(cfg(feature = "contests")))]
 pub mod contests;
 
+pub use arrays::arguments::Arguments;
+pub use arrays::array_kind::ArrayKind;
+pub use arrays::array_system::ArraySystem;
 pub use error::RunFailure;
 pub use models::conserved::Conserved;
 pub use models::model::Model;

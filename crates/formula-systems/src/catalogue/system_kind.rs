@@ -59,6 +59,8 @@ pub enum ParameterShape {
     Vector(usize),
     /// As many numbers as are given.
     List,
+    /// One number, or as many as are given.
+    NumberOrList,
 }
 
 /// A start that is not given by the coordinates, such as positions of vortices.
@@ -255,11 +257,14 @@ fn require(
 }
 
 impl ParameterShape {
-    fn allows(self, components: Option<usize>) -> bool {
+    /// Returns whether a parameter may be a number, for `None`, or a vector of so many components.
+    #[must_use]
+    pub fn allows(self, components: Option<usize>) -> bool {
         match self {
             Self::Number => components.is_none(),
             Self::Vector(count) => components == Some(count),
             Self::List => components.is_some(),
+            Self::NumberOrList => true,
         }
     }
 }
@@ -270,35 +275,49 @@ impl Parameter {
     }
 
     /// A number that must be given.
-    pub(super) const fn number(name: &'static str, about: &'static str) -> Self {
+    #[must_use]
+    pub const fn number(name: &'static str, about: &'static str) -> Self {
         Self::new(name, ParameterShape::Number, about)
     }
 
     /// A vector that must be given.
-    pub(super) const fn vector(name: &'static str, count: usize, about: &'static str) -> Self {
+    #[must_use]
+    pub const fn vector(name: &'static str, count: usize, about: &'static str) -> Self {
         Self::new(name, ParameterShape::Vector(count), about)
     }
 
     /// Numbers that must be given, as many as there are.
-    pub(super) const fn list(name: &'static str, about: &'static str) -> Self {
+    #[must_use]
+    pub const fn list(name: &'static str, about: &'static str) -> Self {
         Self::new(name, ParameterShape::List, about)
     }
 
+    /// One number or several, which must be given.
+    #[must_use]
+    pub const fn number_or_list(name: &'static str, about: &'static str) -> Self {
+        Self::new(name, ParameterShape::NumberOrList, about)
+    }
+
     /// The parameter with values that it has unless others are given.
-    pub(super) const fn or(self, default: &'static [f64]) -> Self {
+    #[must_use]
+    pub const fn or(self, default: &'static [f64]) -> Self {
         Self { default: Some(default), ..self }
     }
 
-    fn described(&self) -> String {
+    /// Describes the parameter: its name, how many numbers it is, what it is, and what it is unless given.
+    #[must_use]
+    pub fn described(&self) -> String {
         let Self { name, shape, about, default } = self;
         let shape = match shape {
             ParameterShape::Number => String::new(),
             ParameterShape::Vector(count) => format!(" of {count} numbers"),
             ParameterShape::List => " of any number of numbers".into(),
+            ParameterShape::NumberOrList => ", a number or several".into(),
         };
         let default = match default {
             None => String::new(),
             Some([value]) => format!("; {value} unless given"),
+            Some([]) => "; none unless given".into(),
             Some(values) => format!("; {values:?} unless given"),
         };
         format!("{name}{shape} ({about}{default})")

@@ -70,6 +70,12 @@ impl Config {
     /// # Errors
     /// If there is no such run.
     pub fn run(&self) -> Result<Box<Experiment>, Error> {
+        if let Some(system) = self.system()?.filter(|system| system.array_kind().is_some()) {
+            self.require_output_of_system()?;
+            if let Some(arrays) = system.array_experiment(self.integrator, self.output.every)? {
+                return Ok(Box::new(arrays));
+            }
+        }
         Ok(match self.system_experiment()? {
             Some(system) => Box::new(system),
             None => Box::new(self.experiment()?),
@@ -106,7 +112,11 @@ impl Config {
         let method = self.integrator.or(Integration::default()).method();
         match method {
             Ok(method) if self.system.is_none() => method.instructions(),
-            // All methods of systems are portable.
+            // Sums over many sites, and products of matrices, are in the widest registers.
+            _ if self.system.as_ref().is_some_and(|system| system.array_kind().is_some()) => {
+                InstructionSet::detected()
+            }
+            // All methods of systems by formula are portable.
             _ => InstructionSet::Portable,
         }
     }
@@ -140,6 +150,12 @@ impl Config {
     /// If there is no such run.
     pub fn system_experiment(&self) -> Result<Option<Experiment<FormulaSystem>>, Error> {
         let Some(system) = self.system()? else { return Ok(None) };
+        self.require_output_of_system()?;
+        system.experiment(self.integrator, self.output.every).map(Some)
+    }
+
+    /// Checks that a system can have the output that is asked for.
+    fn require_output_of_system(&self) -> Result<(), Error> {
         if self.output.attitude {
             return Err(SystemTableError::NoAttitude.into());
         }
@@ -147,7 +163,7 @@ impl Config {
             let (name, range) = ("output.every", "at least 1");
             return Err(Error::OutOfRange { name, range, value: 0.0 });
         }
-        system.experiment(self.integrator, self.output.every).map(Some)
+        Ok(())
     }
 
     /// Returns the table `[system]`, or `None` if the configuration asks for a top.

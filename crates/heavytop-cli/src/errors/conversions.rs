@@ -1,7 +1,7 @@
 //! Errors of the libraries as errors of the program.
 
 use super::error::Error;
-use super::system_table_error::SystemTableError;
+use super::parts::system_table_error::SystemTableError;
 use heavytop::methods::MethodError;
 use lie_poisson_formula_systems::FormulaSystemError;
 use lie_poisson_runs::RunFailure;

@@ -1,9 +1,10 @@
 //! The errors of the commands.
 
-use super::checkpoint_error::CheckpointError;
+use super::parts::checkpoint_error::CheckpointError;
+use super::parts::field_file_error::FieldFileError;
 use super::quotation::Quotation;
-use super::sweep_error::SweepError;
-use super::system_table_error::SystemTableError;
+use super::parts::sweep_error::SweepError;
+use super::parts::system_table_error::SystemTableError;
 use crate::vocabulary::brief::{number, text};
 use crate::vocabulary::suggestion::suggestion;
 use collective_integrators::{EventError, RunError, VariationalError};
@@ -33,6 +34,24 @@ pub enum Error {
         path: PathBuf,
         /// The error of the system.
         source: io::Error,
+    },
+    /// A file has not the arrays that are needed.
+    #[error("{}", path.display())]
+    FieldFile {
+        /// The path of the file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: FieldFileError,
+    },
+    /// CSV and Parquet would have too many columns.
+    #[error("{format} has at most {most} columns here, and the run has {columns}: write an archive of arrays, FILE.npz")]
+    TooWide {
+        /// The name of the format.
+        format: String,
+        /// The number of columns of the run.
+        columns: usize,
+        /// The largest number of columns.
+        most: usize,
     },
     /// The configuration is not TOML, or has an unknown key or a wrong type.
     #[error("{0}")]

@@ -1,6 +1,6 @@
 //! The text that the program prints for an error: the error and its causes, each once.
 
-use super::checkpoint_error::CheckpointError;
+use super::parts::checkpoint_error::CheckpointError;
 use super::error::{Error, resumption};
 use std::io;
 use std::path::Path;

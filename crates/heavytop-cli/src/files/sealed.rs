@@ -7,7 +7,7 @@ use std::path::Path;
 use toml::Table;
 
 /// The largest size of a checkpoint or an identity, in bytes.
-const MOST_BYTES: u64 = 1 << 24;
+const MOST_BYTES: u64 = 1 << 30;
 
 /// Reads the text of a sealed file.
 ///

@@ -16,6 +16,9 @@ use std::fmt;
 use std::fs::File;
 use std::path::Path;
 
+/// The largest number of columns of a table of text or of Parquet, as of most spreadsheets.
+const MOST_COLUMNS: usize = 1 << 14;
+
 /// A file format for the table of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -51,6 +54,20 @@ impl Format {
             Some("parquet") => Ok(Self::Parquet),
             _ if Place::of(path).is_ok_and(|place| place.is_device) => Ok(Self::Csv),
             _ => Err(Error::Format { path: path.into() }),
+        }
+    }
+
+    /// Checks that the format can have the columns of a table.
+    ///
+    /// # Errors
+    /// If CSV or Parquet would have more than 16384.
+    pub(crate) fn require_columns(self, table: &RunTable) -> Result<(), Error> {
+        let (columns, most) = (table.width(), MOST_COLUMNS);
+        match self {
+            Self::Csv | Self::Parquet if columns > most => {
+                Err(Error::TooWide { format: self.to_string(), columns, most })
+            }
+            _ => Ok(()),
         }
     }
 

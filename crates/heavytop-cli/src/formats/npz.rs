@@ -4,9 +4,8 @@
 
 use super::metadata::Metadata;
 use super::rows::Rows;
-use super::run_table::RunTable;
+use super::run_table::{Array, RunTable};
 use std::io::{self, Seek, Write};
-use std::ops::Range;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
@@ -52,9 +51,6 @@ fn write_arrays<W: Write + Seek>(
     text.chars().try_for_each(|c| archive.write_all(&u32::from(c).to_le_bytes()))
 }
 
-/// An array: its name, and its columns in the table.
-type Array = (String, Range<usize>);
-
 /// Writes arrays of numbers. The rows are read as often as it takes to keep at most so many bytes of them.
 fn write_numbers<W: Write + Seek>(
     rows: &Rows<'_>,
@@ -63,8 +59,8 @@ fn write_numbers<W: Write + Seek>(
     archive: &mut ZipWriter<W>,
 ) -> io::Result<()> {
     while let Some((first, others)) = arrays.split_first() {
-        let ends = others.iter().scan(0, |end, (_, columns)| {
-            *end += 8 * columns.len() as u64;
+        let ends = others.iter().scan(0, |end, array| {
+            *end += 8 * array.columns.len() as u64;
             Some(rows.count.saturating_mul(*end))
         });
         let (kept, later) = others.split_at(ends.take_while(|end| *end <= most_kept).count());
@@ -77,18 +73,18 @@ fn write_numbers<W: Write + Seek>(
 /// Writes an array while the rows are read, and then others that have been kept from the same reading.
 fn write_together<W: Write + Seek>(
     rows: &Rows<'_>,
-    (name, columns): &Array,
+    first: &Array,
     others: &[Array],
     archive: &mut ZipWriter<W>,
 ) -> io::Result<()> {
-    let room = |(_, columns): &Array| Vec::with_capacity(rows.count as usize * columns.len());
+    let room = |array: &Array| Vec::with_capacity(rows.count as usize * array.columns.len());
     let (mut block, mut kept) = (Vec::new(), others.iter().map(room).collect::<Vec<_>>());
-    begin_numbers(archive, name, rows.count, columns.len())?;
+    begin_numbers(archive, first, rows.count)?;
     rows.each(|row| {
         let numbers = row.as_chunks::<8>().0;
-        block.extend_from_slice(&numbers[columns.clone()]);
-        for (kept, (_, columns)) in kept.iter_mut().zip(others) {
-            kept.extend_from_slice(&numbers[columns.clone()]);
+        block.extend_from_slice(&numbers[first.columns.clone()]);
+        for (kept, array) in kept.iter_mut().zip(others) {
+            kept.extend_from_slice(&numbers[array.columns.clone()]);
         }
         if block.as_flattened().len() >= BLOCK {
             archive.write_all(block.as_flattened())?;
@@ -97,22 +93,22 @@ fn write_together<W: Write + Seek>(
         Ok(())
     })?;
     archive.write_all(block.as_flattened())?;
-    for (kept, (name, columns)) in kept.iter().zip(others) {
-        begin_numbers(archive, name, rows.count, columns.len())?;
+    for (kept, array) in kept.iter().zip(others) {
+        begin_numbers(archive, array, rows.count)?;
         archive.write_all(kept.as_flattened())?;
     }
     Ok(())
 }
 
-/// Begins an array of numbers with so many rows and columns.
+/// Begins an array of numbers with so many samples, each of its shape.
 fn begin_numbers<W: Write + Seek>(
     archive: &mut ZipWriter<W>,
-    name: &str,
+    array: &Array,
     rows: u64,
-    columns: usize,
 ) -> io::Result<()> {
-    let shape = if columns == 1 { format!("({rows},)") } else { format!("({rows}, {columns})") };
-    begin(archive, name, "<f8", &shape, rows * 8 * columns as u64)
+    let others: Vec<String> = array.shape.iter().map(|count| format!(" {count}")).collect();
+    let shape = format!("({rows},{})", others.join(","));
+    begin(archive, &array.name, "<f8", &shape, rows * 8 * array.columns.len() as u64)
 }
 
 /// Begins an array of `bytes` bytes.
@@ -154,7 +150,8 @@ mod tests {
             let mut start = 0;
             let arrays = widths.iter().map(|width| {
                 start += width;
-                (format!("from {start}"), start - width..start)
+                let shape = if *width == 1 { Vec::new() } else { vec![*width] };
+                Array { name: format!("from {start}"), columns: start - width..start, shape }
             });
             let rows = Rows::new(&file, WIDTH).unwrap();
             let mut archive = ZipWriter::new(Cursor::new(Vec::new()));

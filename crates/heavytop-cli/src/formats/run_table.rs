@@ -62,13 +62,24 @@ pub fn append_row(lines: &mut Vec<u8>, numbers: &[f64]) {
     lines.push(b'\n');
 }
 
+/// The columns of a table that form one array.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Array {
+    /// The name of the array.
+    pub name: String,
+    /// The columns.
+    pub columns: Range<usize>,
+    /// The shape of each sample, whose last index is the fastest; none for a number.
+    pub shape: Vec<usize>,
+}
+
 /// The table of a run: t, the state, invariants, and the attitude if it is asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunTable {
     /// The names of the columns.
     columns: Vec<String>,
     /// The groups of columns that form one array.
-    arrays: Vec<(String, Range<usize>)>,
+    arrays: Vec<Array>,
     /// The columns of the conserved quantities.
     invariants: Range<usize>,
 }
@@ -80,28 +91,38 @@ impl RunTable {
     /// If a coordinate, or a vector of them, has the name of another column.
     pub fn new(run: &Experiment) -> Result<Self, SystemTableError> {
         let mut table = Self { columns: Vec::new(), arrays: Vec::new(), invariants: 0..0 };
-        table.push("t", ["t".into()]);
+        table.push("t", ["t".into()], None);
         for (name, columns) in run.coordinates() {
-            table.push(&name, columns);
+            table.push(&name, columns, run.model.shape(&name));
         }
         let first = table.columns.len();
         for name in run.conserved() {
-            table.push(&name.clone(), [name]);
+            table.push(&name.clone(), [name], None);
         }
         table.invariants = first..table.columns.len();
         if run.attitude {
-            table.push("q", ATTITUDE_COLUMNS.split(',').map(String::from));
+            table.push("q", ATTITUDE_COLUMNS.split(',').map(String::from), None);
         }
         require_distinct(table.columns.iter().map(String::as_str))?;
-        require_distinct(table.arrays.iter().map(|(name, _)| name.as_str()))?;
+        require_distinct(table.arrays.iter().map(|array| array.name.as_str()))?;
         Ok(table)
     }
 
-    /// Adds columns that form one array.
-    fn push(&mut self, name: &str, columns: impl IntoIterator<Item = String>) {
+    /// Adds columns that form one array; unless it has another shape, a number or a vector.
+    fn push(
+        &mut self,
+        name: &str,
+        columns: impl IntoIterator<Item = String>,
+        shape: Option<Vec<usize>>,
+    ) {
         let first = self.columns.len();
         self.columns.extend(columns);
-        self.arrays.push((name.to_owned(), first..self.columns.len()));
+        let columns = first..self.columns.len();
+        let shape = shape.unwrap_or_else(|| match columns.len() {
+            1 => Vec::new(),
+            count => vec![count],
+        });
+        self.arrays.push(Array { name: name.to_owned(), columns, shape });
     }
 
     /// Returns the names of the invariants in the table.
@@ -134,7 +155,7 @@ impl RunTable {
 
     /// Returns the groups of columns that form one array: t, Pi, Gamma, the invariants, q.
     #[must_use]
-    pub fn arrays(&self) -> &[(String, Range<usize>)] {
+    pub fn arrays(&self) -> &[Array] {
         &self.arrays
     }
 

@@ -105,6 +105,14 @@ impl Sources {
         let mut config = text.read(table)?;
         // Paths in a file are relative to it.
         let folder = Path::new(&text.name).parent().unwrap_or(Path::new(""));
+        if let Some(system) = config.system.as_mut() {
+            match system.find_initial_file(folder) {
+                Ok(path) => self.inputs.extend(path.map(Input::File)),
+                Err(error) => {
+                    return Err(text.quote("system.initial_file", "", error).unwrap_or_else(|e| e));
+                }
+            }
+        }
         let system = config.system.as_mut();
         let read = system.map_or(Ok(None), |system| system.read_structure_constants(folder));
         match read {

@@ -44,13 +44,14 @@ impl Formulation {
         name_of(Self::NAMES, self)
     }
 
-    /// Returns whether the scheme makes sense in this formulation.
+    /// Returns whether the scheme makes sense in this formulation of a top. The spherical midpoint method does in none.
     #[must_use]
     pub fn offers(self, scheme: SchemeName) -> bool {
         let composed = matches!(scheme, SchemeName::Composed(_));
         let symplectic =
             composed || matches!(scheme, SchemeName::ImplicitMidpoint | SchemeName::Gauss(_));
         match self {
+            _ if scheme == SchemeName::SphericalMidpoint => false,
             Self::Collective => true,
             Self::Reduced => symplectic,
             Self::Direct => !matches!(scheme, SchemeName::Partitioned(_)),

@@ -42,6 +42,18 @@ impl Method {
         if !formulation.offers(scheme) {
             return Err(MethodError::NoSuchPair { formulation, scheme });
         }
+        Self::of_system(formulation, scheme, tolerance)
+    }
+
+    /// Creates the method of a system that is no top, and that says itself which schemes it has in which formulation.
+    ///
+    /// # Errors
+    /// Returns [`MethodError::Tolerance`] for a tolerance that is negative or not finite.
+    pub fn of_system(
+        formulation: Formulation,
+        scheme: SchemeName,
+        tolerance: f64,
+    ) -> Result<Self, MethodError> {
         if !(tolerance >= 0.0 && tolerance.is_finite()) {
             return Err(MethodError::Tolerance { value: tolerance });
         }

@@ -6,7 +6,7 @@ use collective_integrators::{Composition, RungeKutta, StageSolver};
 impl SchemeName {
     /// Returns the Runge–Kutta method of the name, or the composition of implicit midpoint rules. A method that is no
     /// composition is one of a single substep, which is a step of the method itself to the last bit. It is `None` for
-    /// a partitioned method. Stages are solved to `tolerance`, relative to the state; 0 iterates to the round-off floor.
+    /// a partitioned method, and for the spherical midpoint method. Stages are solved to `tolerance`, relative to the state; 0 iterates to the round-off floor.
     ///
     /// # Errors
     /// Returns [`MethodError::Scheme`] if the coefficients of the method cannot be made.
@@ -39,7 +39,7 @@ impl SchemeName {
             Self::ExplicitMidpoint => (RungeKutta::explicit_midpoint(), ComposedScheme::Strang),
             Self::Rk4 => (RungeKutta::rk4(), ComposedScheme::Strang),
             Self::Composed(composed) => (midpoint(), composed),
-            Self::Partitioned(_) => return Ok(None),
+            Self::Partitioned(_) | Self::SphericalMidpoint => return Ok(None),
         };
         Ok(Some(Composition::new(base, composed.substeps().map_err(failed)?)))
     }

@@ -21,6 +21,9 @@ use core::str::FromStr;
 pub enum SchemeName {
     /// The implicit midpoint rule.
     ImplicitMidpoint,
+    /// The implicit midpoint rule whose midpoint is moved to the spheres |s_i| = constant. It is for systems of spins and
+    /// of vortices; no top has it.
+    SphericalMidpoint,
     /// Gauss–Legendre collocation with this number of stages.
     Gauss(u8),
     /// The explicit midpoint rule.
@@ -65,6 +68,7 @@ impl SchemeName {
     /// The names of all schemes.
     pub const NAMES: &[(&str, Self)] = &[
         ("implicit-midpoint", Self::ImplicitMidpoint),
+        ("spherical-midpoint", Self::SphericalMidpoint),
         ("gauss-4", Self::Gauss(2)),
         ("gauss-6", Self::Gauss(3)),
         ("gauss-8", Self::Gauss(4)),
@@ -96,7 +100,7 @@ impl SchemeName {
         match self {
             Self::Gauss(stages) => 2 * u16::from(stages),
             Self::Partitioned(PartitionedScheme::SymplecticEuler) => 1,
-            Self::ImplicitMidpoint | Self::ExplicitMidpoint => 2,
+            Self::ImplicitMidpoint | Self::SphericalMidpoint | Self::ExplicitMidpoint => 2,
             Self::Partitioned(PartitionedScheme::StormerVerlet)
             | Self::Composed(ComposedScheme::Strang) => 2,
             Self::Rk4 | Self::Partitioned(PartitionedScheme::Lobatto) => 4,

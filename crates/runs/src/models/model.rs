@@ -5,7 +5,7 @@ use crate::error::RunFailure;
 use collective_integrators::diagnostics::{
     RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,
 };
-use collective_integrators::{AnyIntegrator, AnyTangents, RunError};
+use collective_integrators::{AnyIntegrator, AnyTangents, CHECKPOINT, RunError};
 use core::fmt;
 use heavytop::methods::Method;
 use lie_poisson::Quaternion;
@@ -26,6 +26,12 @@ pub trait Model: SystemScales + fmt::Debug + Send + Sync {
 
     /// Returns the coordinates: the name of each vector or scalar, with the names of its columns.
     fn coordinates(&self) -> Vec<(String, Vec<String>)>;
+
+    /// Returns the shape of the array of a group of coordinates, whose last index is the fastest; `None` if they are a
+    /// number or a vector.
+    fn shape(&self, _coordinate: &str) -> Option<Vec<usize>> {
+        None
+    }
 
     /// Returns what the motion from a start conserves.
     fn conserved(&self, start: &[f64]) -> Box<dyn Conserved + '_>;
@@ -59,6 +65,12 @@ pub trait Model: SystemScales + fmt::Debug + Send + Sync {
         _start: &[f64],
     ) -> Result<AnyIntegrator, RunFailure> {
         Err(RunFailure::NoBody { algebra: self.algebra_name() })
+    }
+
+    /// Returns the number of steps after which a run can be interrupted and resumed with the same bits: a power of two up to
+    /// [`CHECKPOINT`]. The integrators of the model forget what they know of earlier steps at its multiples.
+    fn resumable_after(&self) -> u64 {
+        CHECKPOINT
     }
 
     /// Checks that a momentum has as many numbers as there are coordinates.

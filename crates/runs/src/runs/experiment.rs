@@ -3,6 +3,7 @@
 use super::moment::{Moment, Saved};
 use super::pace::Pace;
 use super::schedule::Schedule;
+use super::strides::Strides;
 use crate::error::RunFailure;
 use crate::models::conserved::Conserved;
 use crate::models::model::Model;
@@ -149,8 +150,9 @@ impl Experiment {
     }
 
     /// Passes moments of the run to `visit`, from the initial one or from the first after a saved one: those that are
-    /// [written](Pace::keeps), those of a step whose number is a multiple of
-    /// [`CHECKPOINT`](collective_integrators::CHECKPOINT), and the last one. The steps between them cost nothing else.
+    /// [written](Pace::keeps), the last one, and some of those from which the run can be resumed, whose step is a multiple of
+    /// [`Model::resumable_after`]: all if that is [`CHECKPOINT`](collective_integrators::CHECKPOINT), and otherwise one
+    /// about each second. The steps between them cost nothing else.
     ///
     /// A run that continues from such a multiple equals the uninterrupted run to the last bit.
     ///
@@ -254,8 +256,9 @@ impl Experiment {
         if from.is_some() && made >= steps {
             return Ok(());
         }
+        let mut between = Strides::new(self.model.resumable_after());
         // The saved moment has been visited before.
-        let mut visited = from.map_or(0, |_| pace.next_visited(made));
+        let mut visited = from.map_or(0, |_| pace.next_visited(made, between.stride));
         let mut following = made;
         while let Some(sample) = trajectory.nth(visited.saturating_sub(following) as usize) {
             let sample = sample.map_err(|source| RunFailure::of_step(&self.method, source))?;
@@ -264,7 +267,7 @@ impl Experiment {
                 break;
             }
             following = sample.step.saturating_add(1);
-            visited = pace.next_visited(sample.step);
+            visited = pace.next_visited(sample.step, between.next());
         }
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! A run: its steps, its integrator, and its samples one by one.
 
 pub(crate) mod schedule;
+mod strides;
 pub(crate) mod pace;
 pub(crate) mod moment;
 pub(crate) mod experiment;

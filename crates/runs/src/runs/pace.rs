@@ -1,7 +1,6 @@
 //! The pace of a run: its steps, and those of which a sample is written.
 
 use super::schedule::Schedule;
-use collective_integrators::CHECKPOINT;
 
 /// The steps of a run, and the number n such that every n-th step is written.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,9 +31,10 @@ impl Pace {
         step.is_multiple_of(self.every) || step == self.schedule.steps
     }
 
-    /// Returns the number of the next step, after `step`, whose sample is visited.
-    pub(crate) fn next_visited(&self, step: u64) -> u64 {
+    /// Returns the number of the next step, after `step`, whose sample is visited: one that is written, the last one, or a
+    /// multiple of `stride`.
+    pub(crate) fn next_visited(&self, step: u64, stride: u64) -> u64 {
         let after = |stride: u64| (step - step % stride).saturating_add(stride);
-        after(self.every.max(1)).min(after(CHECKPOINT)).min(self.schedule.steps)
+        after(self.every.max(1)).min(after(stride.max(1))).min(self.schedule.steps)
     }
 }

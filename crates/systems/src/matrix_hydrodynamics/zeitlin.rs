@@ -74,6 +74,12 @@ impl Zeitlin {
         Ok(Self { rotation, ..self })
     }
 
+    /// Returns whether the sphere rotates.
+    #[must_use]
+    pub fn rotates(&self) -> bool {
+        self.rotation != 0.0
+    }
+
     /// Returns the quantised Laplace operator.
     #[must_use]
     pub fn laplacian(&self) -> &QuantisedLaplacian {

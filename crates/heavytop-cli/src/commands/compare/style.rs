@@ -34,6 +34,7 @@ impl Style {
         use Mark::{Circle, Diamond, Square, Triangle};
         let (colour, dashes, mark) = match scheme {
             SchemeName::ImplicitMidpoint => ("#80c4ec", "", Circle),
+            SchemeName::SphericalMidpoint => ("#80c4ec", DOTTED, Circle),
             SchemeName::Gauss(2) => ("#80c4ec", DASHED, Circle),
             SchemeName::Gauss(3) => ("#2a95d5", "", Circle),
             SchemeName::Gauss(4) => ("#2a95d5", DASHED, Circle),

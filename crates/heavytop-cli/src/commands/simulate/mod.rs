@@ -1,7 +1,6 @@
 //! The command `heavytop simulate`, which follows one top, or another system, and writes one file.
 
-mod growing_file;
-mod checkpoint;
+mod checkpoints;
 mod simulate_options;
 mod recording;
 mod run_summary;
@@ -9,7 +8,7 @@ mod run_forecast;
 mod renewal;
 mod simulate_command;
 
-pub use checkpoint::Checkpoint;
+pub use checkpoints::checkpoint::Checkpoint;
 pub use run_forecast::{dry_run, forecast};
 pub use run_summary::RunSummary;
 pub use simulate_command::simulate;

@@ -1,7 +1,7 @@
 //! The recording of a run: its rows on their way to the output.
 
-use super::checkpoint::{self, Checkpoint};
-use super::growing_file::Growing;
+use super::checkpoints::checkpoint::{self, Checkpoint};
+use super::checkpoints::growing_file::Growing;
 use super::simulate_options::SimulateOptions;
 use crate::configuration::Config;
 use crate::errors::{CheckpointError, Error};
@@ -33,6 +33,8 @@ pub(super) struct RecordedRun<'a> {
     pub pace: Pace,
     /// The number of coordinates of the state that the integrator advances.
     pub dimension: usize,
+    /// The number of steps at whose multiples the run can be resumed.
+    pub resumable_after: u64,
     pub table: &'a RunTable,
     /// The Casimirs of a system, as formulas.
     pub casimirs: Vec<String>,
@@ -51,7 +53,8 @@ impl Recording {
         options: &SimulateOptions<'_>,
     ) -> Result<Self, Error> {
         let (format, place) = (Format::of(out)?, Place::of(out)?);
-        let RecordedRun { pace, dimension, table, casimirs } = run;
+        let RecordedRun { pace, dimension, resumable_after, table, casimirs } = run;
+        format.require_columns(table)?;
         require_replaceable(out, &place, (format, table), options)?;
         let metadata = Metadata::new(config)?.with_casimirs(casimirs.clone());
         let path = match format {
@@ -64,7 +67,7 @@ impl Recording {
                 let steps = pace.schedule.steps;
                 checkpoint
                     .require(config, format, out)
-                    .and_then(|()| checkpoint.require_possible(steps, *dimension, table))
+                    .and_then(|()| checkpoint.require_possible((steps, *resumable_after), *dimension, table))
                     .and_then(|()| reopen(path, checkpoint, pace, format, table))
                     .map_err(|source| Error::Checkpoint { path: checkpoint.path.clone(), source })?
             }

@@ -4,9 +4,8 @@ use super::recording::Recording;
 use super::run_summary::Deviations;
 use super::simulate_options::SimulateOptions;
 use crate::errors::Error;
-use crate::runs::Saved;
+use crate::runs::{Experiment, Saved};
 use crate::supervision::tiled_run::RESUME;
-use collective_integrators::CHECKPOINT;
 use std::time::Instant;
 
 /// The checkpoints of a run underway.
@@ -14,13 +13,16 @@ pub(super) struct Renewal<'a> {
     options: &'a SimulateOptions<'a>,
     /// The number of steps of the run.
     steps: u64,
+    /// The number of steps at whose multiples the run can be resumed.
+    resumable_after: u64,
     /// The time of the last checkpoint.
     renewed: Instant,
 }
 
 impl<'a> Renewal<'a> {
-    pub fn new(options: &'a SimulateOptions<'a>, steps: u64) -> Self {
-        Self { options, steps, renewed: Instant::now() }
+    pub fn new(options: &'a SimulateOptions<'a>, run: &Experiment) -> Self {
+        let (steps, resumable_after) = (run.pace.schedule.steps, run.model.resumable_after());
+        Self { options, steps, resumable_after, renewed: Instant::now() }
     }
 
     /// Makes a checkpoint after a step when one is due, and ends the run when it shall stop.
@@ -31,7 +33,7 @@ impl<'a> Renewal<'a> {
         recording: &mut Recording,
         deviations: &Deviations,
     ) -> Result<(), Error> {
-        if !step.is_multiple_of(CHECKPOINT) || step >= self.steps {
+        if !step.is_multiple_of(self.resumable_after) || step >= self.steps {
             return Ok(());
         }
         let stop = !self.options.going();

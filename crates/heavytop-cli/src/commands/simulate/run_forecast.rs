@@ -16,7 +16,9 @@ use std::time::Instant;
 /// If there is no such run, or the output has no format.
 pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
     let run = config.run()?;
-    let numbers = run.pace.rows().saturating_mul(RunTable::new(&*run)?.width() as u64);
+    let table = RunTable::new(&*run)?;
+    Format::of(out)?.require_columns(&table)?;
+    let numbers = run.pace.rows().saturating_mul(table.width() as u64);
     of(run.pace, numbers, in_text(numbers), out)
 }
 
@@ -27,7 +29,9 @@ pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
 /// If there is no such run, the output has no format, or one of the first steps fails.
 pub fn dry_run(config: &Config, out: &Path) -> Result<Forecast, Error> {
     let (format, run) = (Format::of(out)?, config.run()?);
-    let width = RunTable::new(&*run)?.width() as u64;
+    let table = RunTable::new(&*run)?;
+    format.require_columns(&table)?;
+    let width = table.width() as u64;
     let (begun, mut encoded, mut tried, mut rows) = (Instant::now(), Vec::new(), 1, 0_u64);
     let outcome = run.follow(None, |moment| {
         format.append(moment.row, &mut encoded);

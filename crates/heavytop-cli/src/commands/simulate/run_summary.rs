@@ -1,6 +1,6 @@
 //! The summary of a run, which `heavytop simulate --json` prints.
 
-use super::checkpoint::Checkpoint;
+use super::checkpoints::checkpoint::Checkpoint;
 use crate::errors::Error;
 use crate::files::place::shown;
 use crate::formats::RunTable;
@@ -129,6 +129,9 @@ impl Described {
     }
 }
 
+/// The largest number of coordinates that a summary has.
+const MOST_SHOWN: usize = 256;
+
 /// Returns the last coordinates by their names in the summary.
 fn last(run: &Experiment, row: &[f64]) -> Map<String, Value> {
     let columns = run.model.columns();
@@ -136,8 +139,10 @@ fn last(run: &Experiment, row: &[f64]) -> Map<String, Value> {
         let vector = |from: usize| row.get(from..from + 3).unwrap_or_default().into();
         vec![("angular_momentum", vector(1)), ("vertical", vector(4))]
     } else {
+        // Nobody reads more of them; the output has them all.
+        let shown = if columns.len() > MOST_SHOWN { Vec::new() } else { columns };
         let last: Map<_, _> =
-            columns.into_iter().zip(row.iter().skip(1).map(|&x| x.into())).collect();
+            shown.into_iter().zip(row.iter().skip(1).map(|&x| x.into())).collect();
         vec![("last", last.into())]
     };
     keys.into_iter().map(|(name, values)| (name.to_owned(), values)).collect()

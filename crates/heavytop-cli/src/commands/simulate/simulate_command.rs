@@ -1,6 +1,6 @@
 //! The command `simulate`: runs a configuration and writes the output.
 
-use super::checkpoint::Checkpoint;
+use super::checkpoints::checkpoint::Checkpoint;
 use super::recording::{RecordedRun, Recording};
 use super::renewal::Renewal;
 use super::run_summary::{Described, Deviations, RunSummary};
@@ -63,7 +63,8 @@ pub fn simulate(
     let described = Described::new(run)?;
     let formulas = described.casimirs.iter().flatten();
     let casimirs = formulas.filter_map(|(_, text)| text.as_str().map(String::from)).collect();
-    let recorded = RecordedRun { pace, dimension: run.dimension()?, table: &table, casimirs };
+    let (dimension, resumable_after) = (run.dimension()?, run.model.resumable_after());
+    let recorded = RecordedRun { pace, dimension, resumable_after, table: &table, casimirs };
     let mut recording = Recording::begin(out, &config, &recorded, options)?;
     let accuracy = options.estimated(|going| Ok(run.accuracy(going)?))?;
     recording.add_estimate(accuracy.error);
@@ -72,7 +73,7 @@ pub fn simulate(
     let progress = Progress::new(run, options.quiet);
     let saved = options.resume.map(Checkpoint::saved);
     progress.begin(saved.as_ref().map_or(0, |saved| saved.step));
-    let (mut renewal, mut last) = (Renewal::new(options, pace.schedule.steps), Vec::new());
+    let (mut renewal, mut last) = (Renewal::new(options, run), Vec::new());
     let outcome = run.follow(saved.as_ref(), |moment| {
         progress.at(moment.step);
         last.clear();

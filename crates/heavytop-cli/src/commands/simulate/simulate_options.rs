@@ -1,6 +1,6 @@
 //! The options of `simulate`: checkpoints, requests to stop, and progress.
 
-use super::checkpoint::Checkpoint;
+use super::checkpoints::checkpoint::Checkpoint;
 use crate::errors::Error;
 use crate::files::Safeguard;
 use crate::supervision::Progress;

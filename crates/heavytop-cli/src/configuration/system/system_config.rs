@@ -10,6 +10,7 @@ use lie_poisson_formula_systems::{
     FormulaSystem, FormulaSystemError, SystemAlgebra, SystemKind, structure_table,
 };
 use lie_poisson_formulas::{Coordinates, Parameters};
+use lie_poisson_runs::ArrayKind;
 use lie_poisson_runs::step_angle::require_run;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -47,6 +48,13 @@ pub struct SystemConfig {
     pub parameters: BTreeMap<String, Numbers>,
     /// The initial values of the coordinates, by name; those of a vector together or one by one.
     pub initial: BTreeMap<String, Numbers>,
+    /// The file with the initial state of a system of arrays, instead of `initial`: an output of this program, an archive
+    /// of NumPy's, or an OVF file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub initial_file: Option<String>,
+    /// The checksum of that file, which the program notes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub initial_checksum: Option<u32>,
 }
 
 /// The sign of a Lie–Poisson bracket.
@@ -124,16 +132,30 @@ impl SystemConfig {
     /// If there is none of this name, or the table has an algebra or a Hamiltonian, too.
     fn system_kind(&self) -> Result<Option<&'static SystemKind>, Error> {
         let Some(name) = &self.kind else { return Ok(None) };
-        let is_described = self.algebra.is_some()
+        if self.is_described() {
+            return Err(SystemTableError::TwoSystems.into());
+        }
+        match (self.array_kind(), SystemKind::named(name)) {
+            (Some(kind), _) => Err(SystemTableError::OnlySimulated { kind: kind.name }.into()),
+            (None, Ok(kind)) => Ok(Some(kind)),
+            (None, Err(FormulaSystemError::NoKind { name, mut kinds })) => {
+                let is_new = |kind: &&ArrayKind| SystemKind::named(kind.name).is_err();
+                let arrays = ArrayKind::ALL.iter().filter(is_new);
+                kinds.extend(arrays.map(|kind| format!("{} ({})", kind.name, kind.about)));
+                Err(FormulaSystemError::NoKind { name, kinds }.into())
+            }
+            (None, Err(error)) => Err(error.into()),
+        }
+    }
+
+    /// Returns whether the table has an algebra or a Hamiltonian of its own.
+    pub(super) fn is_described(&self) -> bool {
+        self.algebra.is_some()
             || self.coordinates.is_some()
             || self.hamiltonian.is_some()
             || self.structure_constants.is_some()
             || self.bracket.is_some()
-            || !self.brackets.is_empty();
-        match is_described {
-            true => Err(SystemTableError::TwoSystems.into()),
-            false => Ok(Some(SystemKind::named(name)?)),
-        }
+            || !self.brackets.is_empty()
     }
 
     /// Returns the text of the Hamiltonian.
@@ -190,6 +212,9 @@ impl SystemConfig {
     /// # Errors
     /// If a coordinate has no value, or something else has one.
     pub(crate) fn start(&self, system: &FormulaSystem) -> Result<Vec<f64>, Error> {
+        if self.initial_file.is_some() {
+            return Err(SystemTableError::NoStartFile.into());
+        }
         if let Some(kind) = self.system_kind()? {
             let given = named_numbers("initial", &self.initial)?;
             if let Some(start) = kind.coordinates(&self.parameters()?, &given) {

@@ -17,9 +17,9 @@ use std::fmt::Debug;
 /// The sources of the errors, with their types.
 const SOURCES: [(&str, &str); 4] = [
     ("Error", include_str!("../../../src/errors/error.rs")),
-    ("CheckpointError", include_str!("../../../src/errors/checkpoint_error.rs")),
-    ("SweepError", include_str!("../../../src/errors/sweep_error.rs")),
-    ("SystemTableError", include_str!("../../../src/errors/system_table_error.rs")),
+    ("CheckpointError", include_str!("../../../src/errors/parts/checkpoint_error.rs")),
+    ("SweepError", include_str!("../../../src/errors/parts/sweep_error.rs")),
+    ("SystemTableError", include_str!("../../../src/errors/parts/system_table_error.rs")),
 ];
 
 /// The variants that no call of the library returns, with the place of their test.

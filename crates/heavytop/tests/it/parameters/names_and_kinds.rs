@@ -33,7 +33,7 @@ fn schemes_have_the_orders_of_their_names() {
     for &(name, scheme) in SchemeName::NAMES {
         let order = match name {
             "symplectic-euler" => 1,
-            "implicit-midpoint" | "explicit-midpoint" | "stormer-verlet" | "strang" => 2,
+            "implicit-midpoint" | "spherical-midpoint" | "explicit-midpoint" | "stormer-verlet" | "strang" => 2,
             "rk4" => 4,
             _ => name.rsplit('-').next().unwrap().parse().unwrap(),
         };
@@ -54,7 +54,7 @@ fn methods_are_pairs_that_make_sense_with_a_tolerance() {
         let count = formulation.schemes().count();
         let poisson =
             formulation.schemes().filter(|scheme| formulation.is_poisson(*scheme)).count();
-        // Of all 18, three are partitioned, two explicit, and six compositions.
+        // Of all 19, one is for spins alone, three are partitioned, two explicit, and six compositions.
         let expected = match formulation {
             Formulation::Collective => (18, 13),
             Formulation::Reduced => (13, 13),

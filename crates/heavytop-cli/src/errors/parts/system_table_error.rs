@@ -2,6 +2,8 @@
 
 use lie_poisson_formula_systems::{FormulaSystemError, StructureTableError, SystemKind};
 use lie_poisson_formulas::{NameError, Problem};
+use lie_poisson_runs::ArrayKind;
+use std::path::PathBuf;
 use thiserror::Error;
 
 /// The reason why a configuration describes no Lie–Poisson system.
@@ -25,6 +27,24 @@ pub enum SystemTableError {
     /// A system by name has an algebra or a Hamiltonian of its own.
     #[error("a kind has its algebra and its Hamiltonian: write neither, or leave out kind")]
     TwoSystems,
+    /// A command that follows systems of a few coordinates got one of arrays.
+    #[error("only simulate runs {kind}: sections and sweeps follow systems of a few coordinates")]
+    OnlySimulated {
+        /// The name of the kind of system.
+        kind: &'static str,
+    },
+    /// The start is given twice.
+    #[error("write initial or initial_file, not both")]
+    TwoStarts,
+    /// A system by formula has its start in a file.
+    #[error("initial_file is of systems of arrays: write the coordinates in initial")]
+    NoStartFile,
+    /// The file of the start is not the one with which the run began.
+    #[error("{} has changed since the run began", path.display())]
+    OtherStart {
+        /// The path of the file.
+        path: PathBuf,
+    },
     /// The structure constants are no table of a Lie algebra.
     #[error("structure_constants")]
     StructureConstants(#[source] StructureTableError),
@@ -71,6 +91,10 @@ impl SystemTableError {
                     .map(|other| (below_system(other), "leave it out"))
                     .to_vec()
             }
+            Self::OnlySimulated { .. } => key("system.kind", "use simulate"),
+            Self::TwoStarts | Self::NoStartFile | Self::OtherStart { .. } => {
+                key("system.initial_file", "")
+            }
             Self::StructureConstants(_) => key("system.structure_constants", ""),
             Self::SameColumn { .. } => key("system.coordinates", "choose another name"),
             Self::Parameter { table, name, .. } => vec![(format!("system.{table}.{name}"), "")],
@@ -96,8 +120,9 @@ fn keys_of(error: &FormulaSystemError) -> Vec<(String, &'static str)> {
         E::NoKind { .. } => key("kind", ""),
         E::KindParameter { kind, name, .. } => {
             let start = SystemKind::named(kind).ok().and_then(|kind| kind.start);
-            let of_start =
-                start.is_some_and(|start| start.given.iter().any(|own| own.name == name));
+            let start = start.map(|start| start.given);
+            let start = start.or_else(|| ArrayKind::named(kind).map(|kind| kind.start));
+            let of_start = start.is_some_and(|start| start.iter().any(|own| own.name == name));
             let table = if of_start { "initial" } else { "parameters" };
             let keys = [
                 format!("initial.{name}"),

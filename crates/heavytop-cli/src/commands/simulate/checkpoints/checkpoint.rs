@@ -8,7 +8,6 @@ use crate::files::{Kind, Output};
 use crate::formats::{Format, RunTable};
 use crate::runs::Saved;
 use crate::vocabulary::brief::number;
-use collective_integrators::CHECKPOINT;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -16,7 +15,7 @@ use std::path::{Path, PathBuf};
 const TITLE: &str = "heavytop-checkpoint ";
 
 /// How a checkpoint is recognised.
-pub(super) const KIND: Kind<'_> = Kind::of_first_bytes("checkpoint of simulate", TITLE.as_bytes());
+pub(in crate::commands::simulate) const KIND: Kind<'_> = Kind::of_first_bytes("checkpoint of simulate", TITLE.as_bytes());
 
 /// The state of a run after a step, from which the run can continue.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -24,7 +23,7 @@ pub(super) const KIND: Kind<'_> = Kind::of_first_bytes("checkpoint of simulate",
 pub struct Checkpoint {
     /// The file from which it was read.
     #[serde(skip)]
-    pub(super) path: PathBuf,
+    pub(in crate::commands::simulate) path: PathBuf,
     version: String,
     /// The instruction set on which the bits of the steps depend.
     instructions: String,
@@ -32,11 +31,12 @@ pub struct Checkpoint {
     format: Format,
     step: u64,
     /// The coordinates of the integrator's state, written so that they read back as the same bits.
+    #[serde(with = "super::state_text")]
     state: Vec<f64>,
     /// The largest deviations of the invariants so far.
-    pub(super) deviations: Vec<f64>,
+    pub(in crate::commands::simulate) deviations: Vec<f64>,
     /// The extent of the rows so far.
-    pub(super) rows: Mark,
+    pub(in crate::commands::simulate) rows: Mark,
     /// What the configuration left out where it was read.
     #[serde(default, skip_serializing_if = "LeftOut::is_empty")]
     left_out: LeftOut,
@@ -45,7 +45,7 @@ pub struct Checkpoint {
 }
 
 impl Checkpoint {
-    pub(super) fn new(
+    pub(in crate::commands::simulate) fn new(
         config: &Config,
         format: Format,
         saved: Saved,
@@ -92,7 +92,7 @@ impl Checkpoint {
     }
 
     /// Writes the checkpoint, whole or not at all.
-    pub(super) fn write(&self, path: &Path) -> Result<(), Error> {
+    pub(in crate::commands::simulate) fn write(&self, path: &Path) -> Result<(), Error> {
         let contents = toml::to_string(self).map_err(Error::Unwritable)?;
         Output::whole(path, seal(TITLE, &contents).as_bytes())
     }
@@ -110,7 +110,7 @@ impl Checkpoint {
     }
 
     /// Checks that the checkpoint is for this configuration and this output format.
-    pub(super) fn require(
+    pub(in crate::commands::simulate) fn require(
         &self,
         config: &Config,
         format: Format,
@@ -131,14 +131,14 @@ impl Checkpoint {
         Ok(())
     }
 
-    /// Checks that a run of so many steps, whose states have so many coordinates, can have made the checkpoint. The run is
+    /// Checks that a run of so many steps, which can be resumed at some multiples, and whose states have so many coordinates, can have made the checkpoint. The run is
     /// the one of the checkpoint's configuration.
     ///
     /// # Errors
     /// [`CheckpointError::Impossible`], with what is wrong.
-    pub(super) fn require_possible(
+    pub(in crate::commands::simulate) fn require_possible(
         &self,
-        steps: u64,
+        (steps, resumable_after): (u64, u64),
         dimension: usize,
         table: &RunTable,
     ) -> Result<(), CheckpointError> {
@@ -146,8 +146,8 @@ impl Checkpoint {
         let invariants = table.invariants().len();
         let impossible = if step >= steps {
             format!("step {step} of a run of {steps}")
-        } else if !step.is_multiple_of(CHECKPOINT) {
-            format!("step {step}, which is no multiple of {CHECKPOINT}")
+        } else if !step.is_multiple_of(resumable_after) {
+            format!("step {step}, which is no multiple of {resumable_after}")
         } else if self.state.len() != dimension {
             format!("a state of {} numbers, not {dimension}", self.state.len())
         } else if let Some(x) = self.state.iter().find(|x| !x.is_finite()) {

@@ -19,7 +19,7 @@ const BLOCK: usize = 1 << 16;
 /// The length and the checksum of a file up to some byte.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Mark {
+pub(in crate::commands::simulate) struct Mark {
     bytes: u64,
     checksum: u32,
 }
@@ -28,7 +28,7 @@ pub(super) struct Mark {
 ///
 /// It is written in blocks of whole rows. A block that cannot be written is lost, but for its beginning. As a
 /// [`BufWriter`](io::BufWriter) does, it writes the last block when it is dropped.
-pub(super) struct Growing {
+pub(in crate::commands::simulate) struct Growing {
     path: PathBuf,
     file: File,
     /// What will be written next.

@@ -1,0 +1,39 @@
+//! Errors of files with arrays.
+
+use std::io;
+
+/// The reason why a file has not the array that is needed.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FieldFileError {
+    /// The file cannot be read.
+    #[error("it cannot be read")]
+    Read(#[source] io::Error),
+    /// The file has another format, or one that is not read here.
+    #[error("{0}")]
+    Format(String),
+    /// There is no array of this name.
+    #[error("it has no array {name}; it has {}", has.join(", "))]
+    NoArray {
+        /// The name that was looked for.
+        name: String,
+        /// The names of the arrays that there are.
+        has: Vec<String>,
+    },
+    /// The array has another shape.
+    #[error("the shape of {name} is {found:?}, not {expected:?}, nor that with a number of samples before it")]
+    Shape {
+        /// The name of the array.
+        name: String,
+        /// The shape of the system's array.
+        expected: Vec<usize>,
+        /// The shape in the file.
+        found: Vec<usize>,
+    },
+}
+
+impl From<io::Error> for FieldFileError {
+    fn from(error: io::Error) -> Self {
+        Self::Read(error)
+    }
+}

@@ -1,0 +1,6 @@
+//! The errors of parts of the program.
+
+pub(super) mod checkpoint_error;
+pub(super) mod field_file_error;
+pub(super) mod sweep_error;
+pub(super) mod system_table_error;

@@ -1,0 +1,84 @@
+//! A system of arrays by name: [`ArrayKind`].
+
+use super::arguments::{Arguments, Given};
+use super::array_system::ArraySystem;
+use super::arrays::Arrays;
+use super::systems::{many_vortices, sphere_fluid, spin_lattice, vibrating_lattice};
+use lie_poisson_formula_systems::{FormulaSystemError, Parameter};
+
+/// The system that parameters describe.
+pub(super) type Made = Result<Box<dyn Arrays>, FormulaSystemError>;
+
+/// A system by name whose states are arrays of any size: what its parameters are, and what a start is given by.
+///
+/// # Example
+/// ```
+/// use lie_poisson_runs::{Arguments, ArrayKind};
+/// let kind = ArrayKind::named("spin-lattice").ok_or("no such system")?;
+/// let lattice = kind.system(&Arguments::new().list("shape", vec![8.0, 8.0]).number("exchange", 1.0))?;
+/// let wave = Arguments::new().list("waves", vec![1.0, 0.0]).number("cone", 0.1);
+/// assert_eq!(lattice.start_of(&wave)?.len(), 8 * 8 * 3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct ArrayKind {
+    /// The name of the system.
+    pub name: &'static str,
+    /// What the system is, in a few words.
+    pub about: &'static str,
+    /// The parameters.
+    pub parameters: &'static [Parameter],
+    /// What a start is given by.
+    pub start: &'static [Parameter],
+    make: fn(&Given<'_>) -> Made,
+}
+
+impl ArrayKind {
+    /// All systems of arrays by name. Vortices are in the catalogue of systems by formula, too, up to 48.
+    pub const ALL: &[Self] = &[
+        Self {
+            name: sphere_fluid::NAME,
+            about: "an ideal fluid on the sphere",
+            parameters: sphere_fluid::PARAMETERS,
+            start: sphere_fluid::START,
+            make: sphere_fluid::make,
+        },
+        Self {
+            name: spin_lattice::NAME,
+            about: "classical spins on a periodic lattice of one to three dimensions",
+            parameters: spin_lattice::PARAMETERS,
+            start: spin_lattice::START,
+            make: spin_lattice::make,
+        },
+        Self {
+            name: vibrating_lattice::NAME,
+            about: "classical spins on a chain of moving atoms",
+            parameters: vibrating_lattice::PARAMETERS,
+            start: vibrating_lattice::START,
+            make: vibrating_lattice::make,
+        },
+        Self {
+            name: many_vortices::NAME,
+            about: "point vortices on the unit sphere",
+            parameters: many_vortices::PARAMETERS,
+            start: many_vortices::START,
+            make: many_vortices::make,
+        },
+    ];
+
+    /// Returns the system of this name, if there is one.
+    #[must_use]
+    pub fn named(name: &str) -> Option<&'static Self> {
+        Self::ALL.iter().find(|kind| kind.name == name)
+    }
+
+    /// Returns the system with these parameters.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::KindParameter`] if a parameter is missing, has another shape, or is none of the system,
+    /// and [`FormulaSystemError::KindValue`] if it has a value that it cannot have.
+    pub fn system(&'static self, parameters: &Arguments) -> Result<ArraySystem, FormulaSystemError> {
+        let given = Given::new(self.name, self.parameters, parameters)?;
+        Ok(ArraySystem::new(self, (self.make)(&given)?))
+    }
+}

@@ -1,0 +1,202 @@
+//! A system whose states are arrays, as a model: [`ArraySystem`].
+
+use super::arguments::{Arguments, Given};
+use super::array_kind::ArrayKind;
+use super::arrays::Arrays;
+use super::renewed::resumable_after;
+use crate::error::RunFailure;
+use crate::models::conserved::Conserved;
+use crate::models::model::Model;
+use collective_integrators::diagnostics::SystemScales;
+use collective_integrators::{AnyIntegrator, AnyTangents};
+use core::ops::Range;
+use heavytop::methods::{Formulation, Method, SchemeName};
+use lie_poisson_formula_systems::FormulaSystemError;
+
+/// A system of an [`ArrayKind`], of a size that is known only when the program runs.
+#[derive(Debug)]
+pub struct ArraySystem {
+    kind: &'static ArrayKind,
+    system: Box<dyn Arrays>,
+}
+
+impl ArraySystem {
+    pub(super) fn new(kind: &'static ArrayKind, system: Box<dyn Arrays>) -> Self {
+        Self { kind, system }
+    }
+
+    /// Returns the kind of system.
+    #[must_use]
+    pub fn kind(&self) -> &'static ArrayKind {
+        self.kind
+    }
+
+    /// Returns the arrays of a state, one after the other: the name and the shape of each, whose last index is the fastest.
+    #[must_use]
+    pub fn arrays(&self) -> Vec<(&'static str, Vec<usize>)> {
+        self.system.arrays().into_iter().map(|array| (array.name, array.shape)).collect()
+    }
+
+    /// Returns the number of coordinates.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.system.arrays().iter().map(|array| array.count()).sum()
+    }
+
+    /// Returns the state that is given by the [parameters of a start](ArrayKind::start), in the arrays of the users.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError`] as [`ArrayKind::system`] does.
+    pub fn start_of(&self, given: &Arguments) -> Result<Vec<f64>, FormulaSystemError> {
+        self.system.start(&Given::new(self.kind.name, self.kind.start, given)?)
+    }
+
+    /// Returns the formulations that the system has, the default one first.
+    #[must_use]
+    pub fn formulations(&self) -> &'static [Formulation] {
+        self.system.formulations()
+    }
+
+    /// Returns the method of a scheme in a formulation, by default the first of the system. Stages are solved to the
+    /// tolerance, relative to the state; 0 iterates to the round-off floor.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::NoMethod`], which names the methods that the system has, and
+    /// [`FormulaSystemError::Method`] for a tolerance that is negative or not finite.
+    pub fn method(
+        &self,
+        formulation: Option<Formulation>,
+        scheme: SchemeName,
+        tolerance: f64,
+    ) -> Result<Method, FormulaSystemError> {
+        let all = self.formulations();
+        let formulation = formulation.or(all.first().copied()).unwrap_or_default();
+        let has = if !all.contains(&formulation) {
+            let names: Vec<_> = all.iter().map(|formulation| formulation.name()).collect();
+            format!("it has {}", names.join(", "))
+        } else if !self.system.offers(formulation, scheme) {
+            let names = SchemeName::NAMES.iter();
+            let names = names.filter(|(_, scheme)| self.system.offers(formulation, *scheme));
+            let names: Vec<_> = names.map(|(name, _)| *name).collect();
+            format!("{formulation} has {}", names.join(", "))
+        } else {
+            return Ok(Method::of_system(formulation, scheme, tolerance)?);
+        };
+        let algebra = self.kind.name.into();
+        Err(FormulaSystemError::NoMethod { algebra, formulation, scheme, has })
+    }
+}
+
+impl SystemScales for ArraySystem {
+    /// Each spin, and each other array as a whole.
+    fn blocks(&self) -> Vec<Range<usize>> {
+        let (mut blocks, mut first) = (Vec::new(), 0);
+        for array in self.system.arrays() {
+            let last = first + array.count();
+            let ends = (first..last).step_by(array.block.max(1));
+            blocks.extend(ends.map(|start| start..(start + array.block).min(last)));
+            first = last;
+        }
+        blocks
+    }
+
+    fn differential(&self, mu: &[f64]) -> Vec<f64> {
+        self.system.differential(mu)
+    }
+
+    fn fastest_rate(&self, mu: &[f64]) -> f64 {
+        self.system.fastest_rate(mu)
+    }
+}
+
+impl Model for ArraySystem {
+    fn algebra_name(&self) -> String {
+        self.system.algebra_name()
+    }
+
+    /// Columns have the names of their arrays, with the number of the row in it and that in the row.
+    fn coordinates(&self) -> Vec<(String, Vec<String>)> {
+        let columns = |name: &str, shape: &[usize]| {
+            let (rows, width) = match shape {
+                [] => (1, 1),
+                [rows] => (*rows, 1),
+                [rows @ .., width] => (rows.iter().product(), *width),
+            };
+            let column = |i: usize| match shape.len() {
+                0 | 1 => format!("{name}_{}", i + 1),
+                _ => format!("{name}_{}_{}", i / width + 1, i % width + 1),
+            };
+            (0..rows * width).map(column).collect()
+        };
+        let arrays = self.system.arrays().into_iter();
+        arrays.map(|array| (array.name.to_owned(), columns(array.name, &array.shape))).collect()
+    }
+
+    fn shape(&self, coordinate: &str) -> Option<Vec<usize>> {
+        let arrays = self.system.arrays();
+        Some(arrays.into_iter().find(|array| array.name == coordinate)?.shape)
+    }
+
+    fn conserved(&self, _start: &[f64]) -> Box<dyn Conserved + '_> {
+        Box::new(Invariants(&*self.system))
+    }
+
+    fn tangent_integrator(
+        &self,
+        method: &Method,
+        _start: &[f64],
+    ) -> Result<AnyIntegrator<dyn AnyTangents>, RunFailure> {
+        self.system.tangent_integrator(method)
+    }
+
+    fn integrator(&self, method: &Method, _start: &[f64]) -> Result<AnyIntegrator, RunFailure> {
+        self.system.integrator(method)
+    }
+
+    fn resumable_after(&self) -> u64 {
+        resumable_after(self.dimension())
+    }
+
+    fn require_dimension(&self, momentum: &[f64]) -> Result<(), RunFailure> {
+        let (expected, found) = (self.dimension(), momentum.len());
+        match expected == found {
+            true => Ok(()),
+            false => Err(FormulaSystemError::StateLength { expected, found }.into()),
+        }
+    }
+
+    fn start(&self, given: &[f64]) -> Result<Vec<f64>, RunFailure> {
+        self.require_dimension(given)?;
+        let mut state = given.to_vec();
+        self.system.understand(&mut state);
+        Ok(state)
+    }
+
+    fn present(&self, momentum: &mut [f64]) {
+        self.system.present(momentum);
+    }
+
+    fn formula(&self, conserved: &str) -> Option<String> {
+        (conserved == "h").then(|| self.system.hamiltonian().into())
+    }
+}
+
+/// The conserved quantities of a system.
+struct Invariants<'a>(&'a dyn Arrays);
+
+impl Conserved for Invariants<'_> {
+    fn names(&self) -> Vec<String> {
+        self.0.invariant_names()
+    }
+
+    fn append(&self, momentum: &[f64], values: &mut Vec<f64>) {
+        self.0.invariants(momentum, values);
+    }
+
+    fn without_value(&self, momentum: &[f64]) -> String {
+        let (mut values, names) = (Vec::new(), self.names());
+        self.append(momentum, &mut values);
+        let found = names.iter().zip(&values).find(|(_, value)| !value.is_finite());
+        found.map_or("a conserved quantity has no value".into(), |(name, value)| format!("{name} is {value}"))
+    }
+}

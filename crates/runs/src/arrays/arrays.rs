@@ -1,0 +1,80 @@
+//! What a system of arrays has: [`Arrays`].
+
+use super::arguments::Given;
+use crate::error::RunFailure;
+use collective_integrators::{AnyIntegrator, AnyTangents};
+use core::fmt;
+use heavytop::methods::{Formulation, Method, SchemeName};
+use lie_poisson_formula_systems::FormulaSystemError;
+
+/// An array of a state: its name, and its shape, the last index of which is the fastest.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct ArrayShape {
+    pub(super) name: &'static str,
+    pub(super) shape: Vec<usize>,
+    /// The number of coordinates that are measured together, such as the three of a spin.
+    pub(super) block: usize,
+}
+
+impl ArrayShape {
+    pub(super) fn count(&self) -> usize {
+        self.shape.iter().product()
+    }
+}
+
+/// A Lie–Poisson system whose states are arrays, one after the other. States are slices of all their numbers.
+pub(super) trait Arrays: fmt::Debug + Send + Sync {
+    /// Returns the name of the Lie algebra.
+    fn algebra_name(&self) -> String;
+
+    /// Returns the Hamiltonian, in words of formulas.
+    fn hamiltonian(&self) -> &'static str;
+
+    /// Returns the arrays.
+    fn arrays(&self) -> Vec<ArrayShape>;
+
+    /// Returns the names of the conserved quantities, h first.
+    fn invariant_names(&self) -> Vec<String>;
+
+    /// Appends their values.
+    fn invariants(&self, state: &[f64], values: &mut Vec<f64>);
+
+    /// Returns dh.
+    fn differential(&self, state: &[f64]) -> Vec<f64>;
+
+    /// Returns the fastest rate of the motion, in radians per unit of time.
+    fn fastest_rate(&self, state: &[f64]) -> f64;
+
+    /// Returns the formulations that the system has, the default one first.
+    fn formulations(&self) -> &'static [Formulation];
+
+    /// Returns whether the system has a scheme in a formulation that it has.
+    fn offers(&self, formulation: Formulation, scheme: SchemeName) -> bool;
+
+    /// Returns the fastest integrator of a method that the system offers.
+    ///
+    /// # Errors
+    /// If the coefficients of the scheme cannot be made.
+    fn integrator(&self, method: &Method) -> Result<AnyIntegrator, RunFailure>;
+
+    /// Returns the integrator of a method that has tangent maps.
+    ///
+    /// # Errors
+    /// If there is none.
+    fn tangent_integrator(
+        &self,
+        method: &Method,
+    ) -> Result<AnyIntegrator<dyn AnyTangents>, RunFailure>;
+
+    /// Returns the state that is given by the parameters of a start.
+    ///
+    /// # Errors
+    /// If they give none.
+    fn start(&self, given: &Given<'_>) -> Result<Vec<f64>, FormulaSystemError>;
+
+    /// Replaces a state by what users read, of the same size.
+    fn present(&self, _state: &mut [f64]) {}
+
+    /// Replaces what users read by the state.
+    fn understand(&self, _given: &mut [f64]) {}
+}

@@ -1,0 +1,12 @@
+//! Systems of any size whose states are arrays: lattices of spins, vortices, fluids.
+
+pub(crate) mod arguments;
+pub(crate) mod array_kind;
+pub(crate) mod array_system;
+mod arrays;
+mod directions;
+mod renewed;
+mod sites;
+mod sites_arrays;
+mod spins_on_atoms;
+mod systems;

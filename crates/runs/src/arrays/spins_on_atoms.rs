@@ -1,0 +1,187 @@
+//! Spins on a chain of atoms in motion: the equations, and their lift to C² for each spin.
+
+use collective_integrators::{AnyState, Integrator, Scheme, Start, Step, StepError, VectorField};
+use lie_poisson::{Covector, Real, State, Vector};
+use momentum_map::{HopfRealisation, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Side, So3OnC2};
+use nalgebra::{Vector2, Vector3};
+use num_complex::Complex;
+
+/// The map of each spin, with the plus bracket of spins.
+const MAP: HopfRealisation = QuadraticMomentumMap::new(So3OnC2, Side::Left);
+
+/// The number of coordinates of a point of C².
+const SPINOR: usize = 4;
+
+/// A periodic chain of atoms with spins.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chain {
+    pub(super) count: usize,
+    pub(super) mass: f64,
+    pub(super) stiffness: f64,
+    pub(super) exchange: f64,
+    pub(super) coupling: f64,
+}
+
+impl Chain {
+    /// Returns a spin of a state.
+    fn spin<T: Real>(state: &[T], i: usize) -> Vector3<T> {
+        Vector3::from_fn(|k, _| state[3 * i + k])
+    }
+
+    /// Returns the stretch qᵢ₊₁ − q_i and the neighbour i + 1.
+    fn stretch<T: Real>(&self, q: &[T], i: usize) -> (T, usize) {
+        let next = if i + 1 == self.count { 0 } else { i + 1 };
+        (q[next] - q[i], next)
+    }
+
+    /// Returns h.
+    pub(super) fn energy(&self, state: &[f64]) -> f64 {
+        let (spins, atoms) = state.split_at(3 * self.count);
+        let (q, p) = atoms.split_at(self.count);
+        let bond = |i: usize| {
+            let (stretch, next) = self.stretch(q, i);
+            let exchange = self.exchange - self.coupling * stretch;
+            p[i] * p[i] / (2.0 * self.mass) + 0.5 * self.stiffness * stretch * stretch
+                - exchange * Self::spin(spins, i).dot(&Self::spin(spins, next))
+        };
+        (0..self.count).map(bond).sum()
+    }
+
+    /// Writes dh at a state (s, q, p).
+    pub(super) fn differential<T: Real>(&self, state: &[T], dh: &mut [T]) {
+        dh.fill(T::zero());
+        let (spins, atoms) = state.split_at(3 * self.count);
+        let (q, p) = atoms.split_at(self.count);
+        let (of_spins, of_atoms) = dh.split_at_mut(3 * self.count);
+        let (of_q, of_p) = of_atoms.split_at_mut(self.count);
+        for i in 0..self.count {
+            let (stretch, next) = self.stretch(q, i);
+            let exchange = T::from_f64(self.exchange) - stretch * self.coupling;
+            let [this, other] = [i, next].map(|i| Self::spin(spins, i));
+            for k in 0..3 {
+                of_spins[3 * i + k] -= exchange * other[k];
+                of_spins[3 * next + k] -= exchange * this[k];
+            }
+            let tension = stretch * self.stiffness + this.dot(&other) * self.coupling;
+            of_q[next] += tension;
+            of_q[i] -= tension;
+            of_p[i] = p[i] / self.mass;
+        }
+    }
+}
+
+/// The equations ds/dt = dh/ds × s, dq/dt = dh/dp, dp/dt = −dh/dq.
+impl<T: Real> VectorField<T> for Chain {
+    type Point = AnyState<T>;
+
+    fn at(&self, state: &AnyState<T>) -> AnyState<T> {
+        let mut rate = state.zeros_like();
+        self.at_into(state, &mut rate);
+        rate
+    }
+
+    fn at_into(&self, state: &AnyState<T>, rate: &mut AnyState<T>) {
+        let (state, rate) = (state.as_slice(), rate.as_mut_slice());
+        self.differential(state, rate);
+        for i in 0..self.count {
+            let turned = Self::spin(rate, i).cross(&Self::spin(state, i));
+            rate[3 * i..3 * i + 3].copy_from_slice(turned.as_slice());
+        }
+        canonical(&mut rate[3 * self.count..]);
+    }
+}
+
+/// Replaces (dh/dq, dh/dp) by (dh/dp, −dh/dq).
+fn canonical<T: Real>(rate: &mut [T]) {
+    let (q, p) = rate.split_at_mut(rate.len() / 2);
+    q.swap_with_slice(p);
+    p.iter_mut().for_each(|p| *p = -*p);
+}
+
+/// A scheme applied to (z, q, p), of which s_i = J(z_i), q and p are read: a Poisson map, if it is symplectic.
+pub(super) struct LiftedChain<S> {
+    pub(super) scheme: S,
+    pub(super) chain: Chain,
+}
+
+fn spinor<T: Real>(state: &[T], i: usize) -> Vector2<Complex<T>> {
+    Vector::from_coordinates(|k| state[SPINOR * i + k])
+}
+
+/// Returns the coordinates of (s, q, p) of those of (z, q, p) for so many atoms.
+fn momentum_of<T: Real>(state: &[T], count: usize) -> Vec<T> {
+    let (spinors, atoms) = state.split_at(SPINOR * count);
+    let spins = (0..count).map(|i| MAP.apply::<T>(&spinor(spinors, i)).0);
+    spins.flat_map(|s| [s.x, s.y, s.z]).chain(atoms.iter().copied()).collect()
+}
+
+/// The equations of (z, q, p).
+struct LiftedField<'a>(&'a Chain);
+
+impl<T: Real> VectorField<T> for LiftedField<'_> {
+    type Point = AnyState<T>;
+
+    fn at(&self, state: &AnyState<T>) -> AnyState<T> {
+        let mut rate = state.zeros_like();
+        self.at_into(state, &mut rate);
+        rate
+    }
+
+    fn at_into(&self, state: &AnyState<T>, rate: &mut AnyState<T>) {
+        let (state, rate) = (state.as_slice(), rate.as_mut_slice());
+        let count = self.0.count;
+        let mut dh = vec![T::zero(); 5 * count];
+        self.0.differential(&momentum_of(state, count), &mut dh);
+        let (spinors, atoms) = rate.split_at_mut(SPINOR * count);
+        for (i, to) in spinors.as_chunks_mut::<SPINOR>().0.iter_mut().enumerate() {
+            let moved = MAP.generator::<T>(&Chain::spin(&dh, i), &spinor(state, i));
+            *to = core::array::from_fn(|k| moved.coordinate(k));
+        }
+        atoms.copy_from_slice(&dh[3 * count..]);
+        canonical(atoms);
+    }
+}
+
+impl<S: Scheme, T: Real> Integrator<T> for LiftedChain<S> {
+    type State = AnyState<T>;
+    type Momentum = AnyState<T>;
+    type Workspace = S::Workspace<AnyState<T>>;
+
+    fn workspace(&self) -> Self::Workspace {
+        self.scheme.workspace()
+    }
+
+    fn step(
+        &self,
+        state: &AnyState<T>,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Step<AnyState<T>>, StepError> {
+        let made = self.scheme.step(&LiftedField(&self.chain), state, step, workspace)?;
+        match made.point.is_finite() {
+            true => Ok(made),
+            false => Err(StepError::NotFinite),
+        }
+    }
+
+    fn forget(&self, workspace: &mut Self::Workspace) {
+        self.scheme.forget(workspace);
+    }
+
+    fn momentum(&self, state: &AnyState<T>) -> AnyState<T> {
+        AnyState::from_slice(&momentum_of(state.as_slice(), self.chain.count))
+    }
+}
+
+impl<S: Scheme> Start for LiftedChain<S> {
+    fn start(&self, mu: &AnyState) -> Result<AnyState, LiftError> {
+        let (spins, atoms) = mu.as_slice().split_at(3 * self.chain.count);
+        let mut state = Vec::with_capacity(6 * self.chain.count);
+        for i in 0..self.chain.count {
+            let lifted = MAP.lift::<f64>(&Covector(Chain::spin(spins, i)))?;
+            state.extend((0..SPINOR).map(|k| lifted.coordinate(k)));
+        }
+        state.extend_from_slice(atoms);
+        Ok(AnyState::from_slice(&state))
+    }
+}
