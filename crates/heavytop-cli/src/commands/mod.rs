@@ -7,3 +7,5 @@ pub mod section;
 pub mod animate;
 pub mod bench;
 pub mod sweep;
+pub mod export;
+pub mod plot;

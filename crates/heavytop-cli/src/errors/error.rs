@@ -53,6 +53,12 @@ pub enum Error {
         /// The largest number of columns.
         most: usize,
     },
+    /// The name of a picture has another ending.
+    #[error("{} is no picture: its name must end in .png or .svg", path.display())]
+    NoPicture {
+        /// The path of the picture.
+        path: PathBuf,
+    },
     /// The configuration is not TOML, or has an unknown key or a wrong type.
     #[error("{0}")]
     Misread(String),

@@ -2,9 +2,11 @@
 
 use super::help::{
     ANIMATE, ANIMATE_EXAMPLES, BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES,
-    COMPLETIONS_EXAMPLES, EXIT_CODES, INIT_EXAMPLES, MAN_EXAMPLES, REPRODUCE, REPRODUCE_EXAMPLES,
+    COMPLETIONS_EXAMPLES, EXIT_CODES, EXPORT, EXPORT_EXAMPLES, INIT_EXAMPLES, MAN_EXAMPLES, PLOT,
+    PLOT_EXAMPLES, REPRODUCE, REPRODUCE_EXAMPLES,
     SECTION, SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES, SWEEP, SWEEP_EXAMPLES,
 };
+use crate::commands::export::ExportFormat;
 use crate::configuration::{Config, Notes, Preset};
 use crate::errors::Error;
 use crate::files::Safeguard;
@@ -134,6 +136,40 @@ pub(super) enum Command {
         out: PathBuf,
         #[command(flatten)]
         replacing: Replacing,
+    },
+    /// Draw a run of a lattice, a fluid or many vortices.
+    #[command(long_about = PLOT, after_long_help = PLOT_EXAMPLES)]
+    Plot {
+        /// The run: an archive FILE.npz of simulate.
+        run: PathBuf,
+        /// The picture to write; its name ends in .png or .svg.
+        #[arg(long, value_name = "FILE")]
+        out: PathBuf,
+        #[command(flatten)]
+        replacing: Replacing,
+        /// The number of the sample that is drawn, from 0; without it the last one.
+        #[arg(long, value_name = "NUMBER")]
+        sample: Option<usize>,
+        /// The index along the third axis of the plane that is drawn; without it the middle one.
+        #[arg(long, value_name = "INDEX")]
+        plane: Option<usize>,
+    },
+    /// Write the vectors of a run for ParaView, OOMMF or Ubermag.
+    #[command(long_about = EXPORT, after_long_help = EXPORT_EXAMPLES)]
+    Export {
+        /// The run: an archive FILE.npz of simulate, or another with t and arrays of samples.
+        run: PathBuf,
+        /// The folder for the files; made if it is not there.
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+        #[command(flatten)]
+        replacing: Replacing,
+        /// The format: vti for ParaView, ovf for OOMMF and Ubermag.
+        #[arg(long, value_enum)]
+        format: ExportFormat,
+        /// Write every n-th sample, and the last one.
+        #[arg(long, value_name = "N", default_value_t = 1)]
+        every: u64,
     },
     /// Time the integrators on one top and on many.
     #[command(long_about = BENCH, after_long_help = BENCH_EXAMPLES)]

@@ -10,13 +10,15 @@ use super::suggested_command::suggest_command;
 use crate::commands::animate::animate;
 use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
+use crate::commands::export::export;
+use crate::commands::plot::plot;
 use crate::commands::reproduce::reproduce;
 use crate::commands::section::{self, section};
 use crate::commands::simulate::{self, Checkpoint, RunSummary, SimulateOptions, simulate};
 use crate::commands::sweep::{self, sweep_if};
 use crate::configuration::Notes;
 use crate::errors::{Error, Report};
-use crate::files::{Place, Safeguard};
+use crate::files::{Input, Place, Safeguard};
 use crate::supervision::warnings::{self, warn};
 use crate::supervision::{Forecast, TileOptions, Watch};
 use clap::{CommandFactory, Parser};
@@ -92,6 +94,16 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
                 true => Err(Error::Interrupted { resume: None }),
                 false => Ok(()),
             }
+        }
+        Command::Plot { run, out, replacing, sample, plane } => {
+            let safeguard = Safeguard::new(vec![Input::File(run.clone())], replacing.force);
+            plot(&run, &out, (sample, plane), &watch(quiet, &safeguard))
+                .and_then(|done| closing.print(&done, &Notes::default()))
+        }
+        Command::Export { run, out, replacing, format, every } => {
+            let safeguard = Safeguard::new(vec![Input::File(run.clone())], replacing.force);
+            export(&run, &out, format, every, &watch(quiet, &safeguard))
+                .and_then(|done| closing.print(&done, &Notes::default()))
         }
         Command::Compare { top, out, replacing, end } => top
             .noted(replacing, |config, safeguard| {

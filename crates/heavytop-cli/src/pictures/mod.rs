@@ -7,6 +7,7 @@ mod scale;
 pub(crate) mod colour_scale;
 pub(crate) mod caption;
 pub(crate) mod frame;
+pub(crate) mod raster;
 pub(crate) mod render;
 
 pub(crate) use axis::Axis;

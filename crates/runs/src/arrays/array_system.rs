@@ -51,6 +51,13 @@ impl ArraySystem {
         self.system.start(&Given::new(self.kind.name, self.kind.start, given)?)
     }
 
+    /// Returns the values of the field of a state, as users read it, on a circle of constant colatitude (rad), at so many
+    /// longitudes from 0 on; `None` if the system is no fluid on the sphere.
+    #[must_use]
+    pub fn on_circle(&self, state: &[f64], colatitude: f64, count: usize) -> Option<Vec<f64>> {
+        self.system.on_circle(state, colatitude, count)
+    }
+
     /// Returns the formulations that the system has, the default one first.
     #[must_use]
     pub fn formulations(&self) -> &'static [Formulation] {

@@ -75,6 +75,12 @@ pub(super) trait Arrays: fmt::Debug + Send + Sync {
     /// Replaces a state by what users read, of the same size.
     fn present(&self, _state: &mut [f64]) {}
 
+    /// Returns the values of the field of a state, as users read it, on a circle of constant colatitude at so many longitudes
+    /// from 0 on; `None` if it is no field on the sphere.
+    fn on_circle(&self, _given: &[f64], _colatitude: f64, _count: usize) -> Option<Vec<f64>> {
+        None
+    }
+
     /// Replaces what users read by the state.
     fn understand(&self, _given: &mut [f64]) {}
 }

@@ -32,11 +32,7 @@ impl SystemConfig {
         integrator: IntegratorConfig,
         every: u64,
     ) -> Result<Option<Experiment<ArraySystem>>, Error> {
-        let Some(kind) = self.array_kind() else { return Ok(None) };
-        if self.is_described() {
-            return Err(SystemTableError::TwoSystems.into());
-        }
-        let model = kind.system(&arguments(&self.parameters))?;
+        let Some(model) = self.array_system()? else { return Ok(None) };
         let given = match &self.initial_file {
             None => arguments(&self.initial),
             Some(file) if self.initial.is_empty() => self.in_file(file, &model)?,
@@ -49,6 +45,18 @@ impl SystemConfig {
         require_sane_step(&model, &start, step)?;
         let pace = Pace { schedule: Schedule::new(step, end)?, every };
         Ok(Some(Experiment { model, start, method, pace, attitude: false }))
+    }
+
+    /// Returns the system of arrays that the table describes; `None` if it is a system by formula.
+    ///
+    /// # Errors
+    /// If there is no such system.
+    pub(crate) fn array_system(&self) -> Result<Option<ArraySystem>, Error> {
+        let Some(kind) = self.array_kind() else { return Ok(None) };
+        if self.is_described() {
+            return Err(SystemTableError::TwoSystems.into());
+        }
+        Ok(Some(kind.system(&arguments(&self.parameters))?))
     }
 
     /// Makes the path of the file of the start one from the folder of the program, notes the checksum of the file, and

@@ -64,6 +64,17 @@ impl Archive {
         Ok((header, file))
     }
 
+    /// Returns all numbers of an array.
+    ///
+    /// # Errors
+    /// If there is no such array.
+    pub(crate) fn numbers(&mut self, name: &str) -> Result<Vec<f64>, FieldFileError> {
+        let (header, mut file) = self.array(name)?;
+        let mut numbers = vec![0.0; header.shape.iter().product()];
+        header.fill(&mut file, &mut numbers)?;
+        Ok(numbers)
+    }
+
     /// Returns the text of an array that is one, if there is one of this name.
     pub(crate) fn text(&mut self, name: &str) -> Option<String> {
         let mut file = self.0.by_name(&format!("{name}.npy")).ok()?;

@@ -5,6 +5,9 @@
 use super::ovf::{cells, in_order};
 use std::io::{self, Write};
 
+/// The comment after the first line of every file.
+pub(crate) const COMMENT: &str = "<!-- heavytop -->";
+
 /// Writes a field of numbers or vectors on the cells of a lattice.
 pub(crate) fn write(
     to: &mut impl Write,
@@ -16,7 +19,7 @@ pub(crate) fn write(
     let bytes = 8 * nx * ny * nz * components;
     write!(
         to,
-        "<?xml version=\"1.0\"?>\n\
+        "<?xml version=\"1.0\"?>\n{COMMENT}\n\
          <VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
          <ImageData WholeExtent=\"0 {nx} 0 {ny} 0 {nz}\" Origin=\"0 0 0\" Spacing=\"1 1 1\">\n\
          <FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{time:?}</DataArray></FieldData>\n\
@@ -41,7 +44,7 @@ pub(crate) fn collection(files: &[(f64, String)]) -> String {
         format!("<DataSet timestep=\"{time:?}\" part=\"0\" file=\"{file}\"/>\n")
     };
     format!(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n\
+        "<?xml version=\"1.0\"?>\n{COMMENT}\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n\
          <Collection>\n{}</Collection>\n</VTKFile>\n",
         files.iter().map(entry).collect::<String>()
     )

@@ -15,6 +15,9 @@ const SHORT_CHECK: f32 = 1_234_567.0;
 /// The most bytes of a header line.
 const LINE: u64 = 1 << 12;
 
+/// The beginning of the title of every file that the program writes.
+pub(crate) const TITLE: &str = "# Title: heavytop, ";
+
 /// Returns the numbers of cells along x, y and z of an array of vectors with this shape, and the components of each.
 pub(super) fn cells(shape: &[usize]) -> Option<([usize; 3], usize)> {
     let (components, cells) = shape.split_last()?;
@@ -40,7 +43,7 @@ pub(crate) fn write(
     let labels: Vec<String> = (1..=components).map(|i| format!("{name}_{i}")).collect();
     write!(
         to,
-        "# OOMMF OVF 2.0\n# Segment count: 1\n# Begin: Segment\n# Begin: Header\n# Title: {name}\n\
+        "# OOMMF OVF 2.0\n# Segment count: 1\n# Begin: Segment\n# Begin: Header\n{TITLE}{name}\n\
          # Desc: Total simulation time: {time} s\n# meshtype: rectangular\n# meshunit: 1\n\
          # xmin: 0\n# ymin: 0\n# zmin: 0\n# xmax: {nx}\n# ymax: {ny}\n# zmax: {nz}\n\
          # valuedim: {components}\n# valuelabels: {}\n# valueunits:{}\n\

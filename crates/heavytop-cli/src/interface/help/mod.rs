@@ -6,7 +6,9 @@ mod program_help;
 mod run_help;
 mod comparison_help;
 mod map_help;
+mod array_help;
 
+pub(crate) use array_help::{EXPORT, EXPORT_EXAMPLES, PLOT, PLOT_EXAMPLES};
 pub(crate) use comparison_help::{BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES};
 pub(crate) use map_help::{SECTION, SECTION_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
 pub(crate) use program_help::{COMPLETIONS_EXAMPLES, EXIT_CODES, INIT_EXAMPLES, MAN_EXAMPLES};

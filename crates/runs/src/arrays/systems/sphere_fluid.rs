@@ -204,6 +204,10 @@ impl Arrays for SphereFluid {
         self.write(&omega, state);
     }
 
+    fn on_circle(&self, given: &[f64], colatitude: f64, count: usize) -> Option<Vec<f64>> {
+        Some(self.read(given).values_on_circle(colatitude, count))
+    }
+
     fn understand(&self, given: &mut [f64]) {
         let w = self.0.vorticity(&self.read(given));
         given.iter_mut().enumerate().for_each(|(i, x)| *x = w.coordinate(i));

@@ -1,10 +1,7 @@
-//! The colours of a heat map: their range, the bar that explains them, and the pixels.
+//! The colours of a heat map: their range, and the bar that explains them.
 
 use crate::configuration::{Column, Observable};
-use crate::errors::Error;
-use crate::pictures::colour_scale::colour;
 use crate::pictures::{Axis, Scale};
-use resvg::tiny_skia::{ColorU8, Pixmap};
 
 /// The colour of what has no value.
 pub(super) const NONE: u8 = 190;
@@ -52,22 +49,4 @@ pub(super) fn bar_scale(column: &Column, [least, most]: [f64; 2]) -> Scale {
     } else {
         scale
     }
-}
-
-/// Encodes the values as a PNG with one pixel each.
-pub(super) fn pixels(
-    width: u32,
-    height: u32,
-    values: &[Option<f64>],
-    range: Option<[f64; 2]>,
-) -> Result<Vec<u8>, Error> {
-    let mut picture = Pixmap::new(width, height)
-        .ok_or_else(|| Error::Figure(format!("{width} × {height} pixels are too many")))?;
-    let [least, most] = range.unwrap_or([0.0, 1.0]);
-    for (pixel, value) in picture.pixels_mut().iter_mut().zip(values) {
-        let [red, green, blue] =
-            value.map_or([NONE; 3], |value| colour((value - least) / (most - least)));
-        *pixel = ColorU8::from_rgba(red, green, blue, 255).premultiply();
-    }
-    picture.encode_png().map_err(|error| Error::Figure(error.to_string()))
 }

@@ -1,15 +1,14 @@
 //! The heat map of a grid with two axes, as SVG.
 
-use super::colours::{NONE, bar_scale, pixels, range};
+use super::colours::{NONE, bar_scale, range};
 use crate::commands::sweep::sweep_plan::Plan;
 use crate::configuration::{Column, Spread, SweepAxis};
 use crate::errors::Error;
 use crate::pictures::caption::{self, number};
 use crate::pictures::frame::{EDGE, HEIGHT, TEXT, WIDTH};
 use crate::pictures::lettering::width;
+use crate::pictures::raster::{bar, image, pixels};
 use crate::pictures::{Axis, Frame, Scale};
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use std::fmt::Write;
 
 /// The smallest number whose logarithm is distinguished, relative to the largest number of the map.
@@ -74,11 +73,10 @@ pub(in crate::commands::sweep) fn heat_map(
     let abscissa = Scale::linear(&abscissa, along, is_reversed(first));
 
     let mut svg = Frame::begin();
-    image(&mut svg, &frame, (frame.left, frame.right), &pixels(columns, rows, &cells, range)?);
+    let across = (frame.left, frame.right);
+    image(&mut svg, &frame, across, &pixels([columns, rows], &cells, range, NONE)?);
     if let Some([least, most]) = range {
-        let bar = (1..=256).map(|n| Some(most + (least - most) * f64::from(n) / 256.0));
-        let bar: Vec<Option<f64>> = bar.collect();
-        image(&mut svg, &frame, frame.bar(), &pixels(1, 256, &bar, range)?);
+        bar(&mut svg, &frame, [least, most])?;
         if missing > 0 {
             key(&mut svg, missing);
         }
@@ -118,17 +116,6 @@ fn is_reversed(axis: &SweepAxis) -> bool {
 }
 
 // Writing to a string does not fail.
-
-fn image(svg: &mut String, frame: &Frame, (left, right): (f64, f64), png: &[u8]) {
-    let (width, top, height) = (right - left, frame.top, frame.bottom - frame.top);
-    let _ = write!(
-        svg,
-        "<image x=\"{left:.0}\" y=\"{top:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" \
-         preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" \
-         href=\"data:image/png;base64,{}\"/>",
-        STANDARD.encode(png)
-    );
-}
 
 /// Explains the colour of what has no value, below the bar of colours.
 fn key(svg: &mut String, missing: usize) {

@@ -1,0 +1,45 @@
+//! The picture of a chain of spins against time.
+
+use super::run_arrays::RunArrays;
+use crate::errors::Error;
+use crate::pictures::raster::{bar, image, pixels};
+use crate::pictures::{Axis, Frame, Scale};
+
+/// The largest number of columns and of rows of pixels.
+const MOST: usize = 2048;
+
+/// Draws the third components of the spins against time; a long run and a long chain are thinned out.
+///
+/// # Errors
+/// If the samples cannot be read.
+pub(super) fn chain_picture(run: &mut RunArrays) -> Result<String, Error> {
+    let (name, shape) = run.first();
+    let sites = shape.first().copied().unwrap_or(0);
+    let strides = [run.times.len(), sites].map(|count| count.div_ceil(MOST).max(1));
+    let (mut columns, mut most): (Vec<Vec<f64>>, f64) = (Vec::new(), 0.0);
+    run.each(|number, spins| {
+        if number.is_multiple_of(strides[0]) {
+            let spins = spins.as_chunks::<3>().0.iter().step_by(strides[1]);
+            let column: Vec<f64> = spins.map(|spin| spin[2]).collect();
+            most = column.iter().fold(most, |most, x| most.max(x.abs()));
+            columns.push(column);
+        }
+        true
+    })?;
+    let rows = columns.first().map_or(0, Vec::len);
+    let range = [-most.max(f64::MIN_POSITIVE), most.max(f64::MIN_POSITIVE)];
+    let from_top = (0..rows).rev().flat_map(|row| columns.iter().map(move |column| column.get(row).copied()));
+    let cells: Vec<Option<f64>> = from_top.collect();
+    let ordinate = Scale::linear(&Axis::new(0.5, sites as f64 + 0.5, 5), "number of the spin", false);
+    let scale = Scale::linear(&Axis::new(range[0], range[1], 4), &format!("{name}₃"), false);
+    let frame = Frame::new(&run.caption(format!("{sites} spins")), ordinate, Some(scale));
+    let end = run.times.last().copied().unwrap_or(0.0);
+    let abscissa = Axis::along_line(0.0_f64.min(end), 0.0_f64.max(end), 5, frame.length());
+    let abscissa = Scale::linear(&abscissa, "t (s)", end < 0.0);
+    let mut svg = Frame::begin();
+    let size = [columns.len() as u32, rows as u32];
+    image(&mut svg, &frame, (frame.left, frame.right), &pixels(size, &cells, Some(range), 255)?);
+    bar(&mut svg, &frame, range)?;
+    frame.draw(&mut svg, &abscissa);
+    Ok(svg + "</svg>")
+}

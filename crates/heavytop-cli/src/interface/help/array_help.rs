@@ -1,0 +1,25 @@
+//! The long texts of `--help` of the commands for runs of arrays.
+
+pub(crate) const PLOT: &str = "\
+Draws a run of a system of arrays, as PNG or SVG:
+  chain of spins   the third components, against time
+  lattice          a plane at one time: third components as colours, the others as arrows
+  fluid            the vorticity at one time, in Mollweide's projection
+  vortices         their places at one time, in Mollweide's projection";
+
+pub(crate) const PLOT_EXAMPLES: &str = "\
+Examples:
+  heavytop plot fluid.npz --out fluid.png
+  heavytop plot lattice.npz --out lattice.svg --sample 0 --plane 3";
+
+pub(crate) const EXPORT: &str = "\
+Writes each sample of the vectors of a run, such as spins on a lattice, to a file of its own that
+other programs read. One sample is in memory at a time.
+  vti   ParaView: open NAME.pvd, which lists the files NAME_000000.vti and so on with their times
+  ovf   OOMMF and Ubermag: NAME_000000.ovf and so on, OVF 2 with 8-byte numbers
+The first index of an array is along x. simulate reads a start from such files: initial_file.";
+
+pub(crate) const EXPORT_EXAMPLES: &str = "\
+Examples:
+  heavytop export lattice.npz --out frames --format vti --every 10
+  heavytop export lattice.npz --out fields --format ovf";
