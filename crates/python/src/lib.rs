@@ -72,6 +72,8 @@ mod _native {
     #[pymodule_export]
     use crate::systems::algebra::{coordinate_groups, start_of_kind};
     #[pymodule_export]
+    use crate::systems::arrays::Arrays;
+    #[pymodule_export]
     use crate::systems::many::{advance_system, growth_of_system};
     #[pymodule_export]
     use crate::systems::system::System;

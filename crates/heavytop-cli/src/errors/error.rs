@@ -2,9 +2,9 @@
 
 use super::parts::checkpoint_error::CheckpointError;
 use super::parts::field_file_error::FieldFileError;
-use super::quotation::Quotation;
 use super::parts::sweep_error::SweepError;
 use super::parts::system_table_error::SystemTableError;
+use super::quotation::Quotation;
 use crate::vocabulary::brief::{number, text};
 use crate::vocabulary::suggestion::suggestion;
 use collective_integrators::{EventError, RunError, VariationalError};
@@ -44,7 +44,9 @@ pub enum Error {
         source: FieldFileError,
     },
     /// CSV and Parquet would have too many columns.
-    #[error("{format} has at most {most} columns here, and the run has {columns}: write an archive of arrays, FILE.npz")]
+    #[error(
+        "{format} has at most {most} columns here, and the run has {columns}: write an archive of arrays, FILE.npz"
+    )]
     TooWide {
         /// The name of the format.
         format: String,

@@ -1,7 +1,7 @@
 //! The text that the program prints for an error: the error and its causes, each once.
 
-use super::parts::checkpoint_error::CheckpointError;
 use super::error::{Error, resumption};
+use super::parts::checkpoint_error::CheckpointError;
 use std::io;
 use std::path::Path;
 

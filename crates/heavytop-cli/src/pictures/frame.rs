@@ -33,6 +33,7 @@ pub(crate) struct Frame {
     pub top: f64,
     pub right: f64,
     pub bottom: f64,
+    height: f64,
     caption: Vec<String>,
     ordinate: Scale,
     bar: Option<Scale>,
@@ -41,14 +42,19 @@ pub(crate) struct Frame {
 impl Frame {
     /// Creates the frame of a picture with this caption, ordinate and bar of colours.
     pub fn new(caption: &[String], ordinate: Scale, bar: Option<Scale>) -> Self {
+        Self::of_height(HEIGHT, caption, ordinate, bar)
+    }
+
+    /// Creates the frame of a picture of this height.
+    pub fn of_height(height: f64, caption: &[String], ordinate: Scale, bar: Option<Scale>) -> Self {
         let caption = lines(caption, (WIDTH - 4.0 * EDGE) / TEXT);
         let left = EDGE + (ASCENT + DESCENT) * TEXT + EDGE + ordinate.label_width() * TEXT + GAP;
         let beside = bar.as_ref().map_or(600.0, |bar| {
             BAR.1 + GAP + bar.label_width() * TEXT + EDGE + (ASCENT + DESCENT) * TEXT + EDGE
         });
         let top = 2.0 * EDGE + LINE * caption.len() as f64;
-        let (right, bottom) = (WIDTH - beside, HEIGHT - BELOW);
-        Self { left, top, right, bottom, caption, ordinate, bar }
+        let (right, bottom) = (WIDTH - beside, height - BELOW);
+        Self { left, top, right, bottom, height, caption, ordinate, bar }
     }
 
     /// Returns the length of the abscissa, as a multiple of the size of the text.
@@ -61,20 +67,25 @@ impl Frame {
         (self.right + BAR.0, self.right + BAR.1)
     }
 
-    /// Returns the beginning of the drawing.
+    /// Returns the beginning of the drawing of a frame of the usual height.
     pub fn begin() -> String {
+        Self::begin_of_height(HEIGHT)
+    }
+
+    /// Returns the beginning of a drawing of this height.
+    pub fn begin_of_height(height: f64) -> String {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" \
-             viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"{FONT}\" font-size=\"{TEXT}\">\
-             <rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"white\"/>",
+             viewBox=\"0 0 {WIDTH} {height}\" font-family=\"{FONT}\" font-size=\"{TEXT}\">\
+             <rect width=\"{WIDTH}\" height=\"{height}\" fill=\"white\"/>",
             WIDTH / 100.0,
-            HEIGHT / 100.0
+            height / 100.0
         )
     }
 
     /// Draws the captions, the axes and the edge of the bar of colours.
     pub fn draw(&self, svg: &mut String, abscissa: &Scale) {
-        let Self { left, top, right, bottom, caption, ordinate, bar } = self;
+        let Self { left, top, right, bottom, height, caption, ordinate, bar } = self;
         let (middle, centre) = ((left + right) / 2.0, (top + bottom) / 2.0);
         for (row, line) in caption.iter().enumerate() {
             let y = EDGE + ASCENT * TEXT + LINE * row as f64;
@@ -100,7 +111,7 @@ impl Frame {
         let _ = write!(
             svg,
             "<text x=\"{middle:.0}\" y=\"{}\" text-anchor=\"middle\" font-size=\"{size:.0}\">{}</text>",
-            HEIGHT - 2.0 * EDGE,
+            height - 2.0 * EDGE,
             abscissa.title
         );
         upright(svg, EDGE + ASCENT * TEXT, centre, &ordinate.title, bottom - top);

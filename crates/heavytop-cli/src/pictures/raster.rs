@@ -8,6 +8,19 @@ use base64::engine::general_purpose::STANDARD;
 use resvg::tiny_skia::{ColorU8, Pixmap};
 use std::fmt::Write;
 
+/// Returns the range of values for colours; rounding alone does not fill it.
+pub(crate) fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| {
+        [least.min(value), most.max(value)]
+    });
+    let size = least.abs().max(most.abs());
+    match size.is_finite() && size > 0.0 {
+        true if most - least > 1e-9 * size => [least, most],
+        true => [least - 1e-9 * size, most + 1e-9 * size],
+        false => [-1.0, 1.0],
+    }
+}
+
 /// Encodes the values as a PNG with one pixel each, as many in a row as the width. Those that are `None` are grey, from 0,
 /// black, to 255, white.
 pub(crate) fn pixels(

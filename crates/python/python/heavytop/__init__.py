@@ -24,6 +24,7 @@ from importlib.metadata import version
 from . import functions
 from ._native import IntegrationError
 from .accuracy import Check
+from .array_systems import ArraySystem, ManyVortices, SphereFluid, SpinLattice, VibratingLattice
 from .chaos import Chaos, lyapunov
 from .directions import vertical
 from .ends import Ends
@@ -39,6 +40,7 @@ from .top import Top
 __version__ = version("heavytop")
 
 __all__ = [
+    "ArraySystem",
     "BodyInFluid",
     "Chaos",
     "Check",
@@ -49,14 +51,18 @@ __all__ = [
     "FORMULATIONS",
     "Gyrostat",
     "IntegrationError",
+    "ManyVortices",
     "Realisation",
     "RigidBody",
     "SCHEMES",
     "Solution",
+    "SphereFluid",
     "SpinChain",
+    "SpinLattice",
     "System",
     "Top",
     "TopOnBase",
+    "VibratingLattice",
     "Vortices",
     "functions",
     "lyapunov",

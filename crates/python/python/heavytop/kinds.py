@@ -121,7 +121,7 @@ class SpinChain(_Vectors):
     h = -J sum s_i.s_(i+1) - K sum s_i3^2 - B.sum s_i. A start is an array of shape (N, 3), or as for `System.solve`.
 
     Args:
-        spins: how many there are, 2 to 85.
+        spins: how many there are, 2 to 85. `SpinLattice` has more.
         exchange: J; positive for a ferromagnet.
         anisotropy: K; positive for an easy axis.
         field: B.
@@ -166,7 +166,7 @@ class Vortices(_Vectors):
     A start is given by the positions, an array of shape (N, 3).
 
     Args:
-        strengths: the circulation of each vortex, m^2/s; up to 48.
+        strengths: the circulation of each vortex, m^2/s; up to 48. `ManyVortices` has more.
 
     Example:
         Two equal vortices turn about the point between them, at the rate k/(4 pi) for a right angle:

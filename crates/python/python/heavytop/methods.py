@@ -11,6 +11,7 @@ FORMULATIONS = ("collective", "reduced", "direct", "splitting")
 
 SCHEMES = (
     "implicit-midpoint",
+    "spherical-midpoint",
     "gauss-4",
     "gauss-6",
     "gauss-8",

@@ -12,7 +12,7 @@ from ._native import IntegrationError
 from .accuracy import warn_of_accuracy
 from .arguments import array, choice, course, real
 from .arguments import count as whole
-from .events import Events, Function, native_events, surface_source
+from .events import Events, Function, NativeEvent, native_events, surface_source
 from .solution import NEVER, Crossings, Floats, Run, Solution, crossings, solution, solution_at
 from .system_description import State, SystemDescription
 
@@ -165,10 +165,10 @@ class System(SystemDescription):
             raise ValueError("write either t, or step and end")
         step, end = course(step, end)
         run = self._run(y0, step, (formulation, scheme, tolerance))
-        watched = native_events(events, self._names, self._parameters)
+        watched = self._watched(events)
         columns = self._system.follow(run.setting, end, whole("every", every, 1), watched)
         estimate = warn_of_accuracy(self._system, run.setting, run.steps(columns.times), 3)
-        return solution(columns, self.invariants, run, estimate, has_events=events is not None)
+        return self._solved(solution(columns, self.invariants, run, estimate, has_events=events is not None))
 
     def _solve_at(self, y0: State, t: ArrayLike, step: Any, end: Any, names: Any, others: tuple[int, Events]) -> Solution:
         times = array("t", t)
@@ -191,7 +191,7 @@ class System(SystemDescription):
         except ValueError as error:
             # At the start they have values, or there would be no states.
             raise IntegrationError(*error.args) from None
-        return solution_at(times, states, values, run, estimate)
+        return self._solved(solution_at(times, states, values, run, estimate))
 
     def section(
         self,
@@ -233,6 +233,12 @@ class System(SystemDescription):
         warn_of_accuracy(self._system, run.setting, 0, 3)
         function = surface_source(surface, real("value", value), self._names, self._parameters)
         return crossings(self._system.follow(run.setting, end, NEVER, [(function, way, bound)]))
+
+    def _watched(self, events: Events) -> list[NativeEvent]:
+        return native_events(events, self._names, self._parameters)
+
+    def _solved(self, run: Solution) -> Solution:
+        return run
 
     def _run(self, y0: State, step: float, method: tuple[Any, Any, Any]) -> Run:
         return Run(self._system, (self._state(y0).tolist(), step, self._method(*method)), self._names)

@@ -1,5 +1,6 @@
 //! Many states of one system at once, on all threads.
 
+use super::arrays::Arrays;
 use super::system::System;
 use crate::arrays::rows;
 use crate::errors::{message, refused};
@@ -9,15 +10,46 @@ use crate::runs::interruption::until_interrupted;
 use collective_integrators::{AnyIntegrator, AnyState, CHECKPOINT, Start};
 use core::sync::atomic::{AtomicBool, Ordering};
 use heavytop::methods::{Formulation, Method};
-use lie_poisson_formula_systems::FormulaSystem;
 use lie_poisson_runs::{Model, Schedule};
 use numpy::{PyArray2, PyReadonlyArray2};
-use pyo3::{Bound, PyRef, PyResult, Python, pyfunction};
+use pyo3::{Bound, FromPyObject, PyRef, PyResult, Python, pyfunction};
 use rayon::iter::ParallelIterator;
 use rayon::slice::ParallelSlice;
 
 /// The number of runs that share an integrator.
 const SHARED: usize = 64;
+
+/// A system by formula, or one of arrays.
+#[derive(FromPyObject)]
+pub enum AnySystem<'py> {
+    /// A system by formula.
+    Formula(PyRef<'py, System>),
+    /// A system of arrays.
+    Arrays(PyRef<'py, Arrays>),
+}
+
+impl AnySystem<'_> {
+    fn model(&self) -> &dyn Model {
+        match self {
+            Self::Formula(system) => &system.system,
+            Self::Arrays(arrays) => &arrays.system,
+        }
+    }
+
+    fn method(&self, method: MethodArgument) -> PyResult<Method> {
+        match self {
+            Self::Formula(system) => system.method(method),
+            Self::Arrays(arrays) => arrays.method(method),
+        }
+    }
+
+    /// Returns whether the integrator depends on the start: there are two Clebsch maps.
+    fn is_by_clebsch_map(&self, method: &Method) -> bool {
+        let Self::Formula(system) = self else { return false };
+        method.formulation() == Formulation::Collective
+            && system.system.algebra().default_formulation() != Formulation::Collective
+    }
+}
 
 /// The states at the end, and the index and the message of each run that failed.
 type EndArrays<'py> = (Bound<'py, PyArray2<f64>>, Vec<(u64, String)>);
@@ -26,30 +58,30 @@ type EndArrays<'py> = (Bound<'py, PyArray2<f64>>, Vec<(u64, String)>);
 #[pyfunction]
 pub fn advance_system<'py>(
     py: Python<'py>,
-    system: PyRef<'py, System>,
+    system: AnySystem<'py>,
     states: PyReadonlyArray2<'py, f64>,
     step: f64,
     end: f64,
     method: MethodArgument,
 ) -> PyResult<EndArrays<'py>> {
-    let (method, system) = (system.method(method)?, &system.system);
+    let (method, model) = (system.method(method)?, system.model());
     let steps = Schedule::new(step, end).map_err(refused)?.steps;
-    let starts: Vec<Vec<f64>> = states.as_array().outer_iter().map(|row| row.to_vec()).collect();
-    // Which Clebsch map an integrator has depends on the start.
-    let is_clebsch = method.formulation() == Formulation::Collective
-        && system.algebra().default_formulation() != Formulation::Collective;
-    let shared = if is_clebsch { 1 } else { SHARED };
+    let starts = states.as_array();
+    let starts = starts.outer_iter().map(|row| model.start(&row.to_vec()).map_err(refused));
+    let starts: Vec<Vec<f64>> = starts.collect::<PyResult<_>>()?;
+    let shared = if system.is_by_clebsch_map(&method) { 1 } else { SHARED };
     let ends: Vec<Vec<End>> = until_interrupted(py, |stop| {
-        let some = |starts: &[Vec<f64>]| Ends { system, starts, step, steps, stop }.all(&method);
+        let some = |starts: &[Vec<f64>]| Ends { model, starts, step, steps, stop }.all(&method);
         starts.par_chunks(shared).map(some).collect()
     })?;
     let ends = ends.into_iter().flatten();
     let (mut last, mut failures) = (Vec::new(), Vec::new());
-    for (index, (state, failure)) in (0..).zip(ends) {
+    for (index, (mut state, failure)) in (0..).zip(ends) {
+        model.present(&mut state);
         last.extend(state);
         failures.extend(failure.map(|message| (index, message)));
     }
-    Ok((rows(py, last, [starts.len(), system.algebra().dimension()])?, failures))
+    Ok((rows(py, last, [starts.len(), states.as_array().ncols()])?, failures))
 }
 
 /// The end of a run, or the last state and the reason why the next step fails.
@@ -57,7 +89,7 @@ type End = (Vec<f64>, Option<String>);
 
 /// Several starts that are followed to the end, one after the other.
 struct Ends<'a> {
-    system: &'a FormulaSystem,
+    model: &'a dyn Model,
     starts: &'a [Vec<f64>],
     step: f64,
     steps: u64,
@@ -69,9 +101,8 @@ impl Ends<'_> {
     /// Follows the starts by the integrator of the first.
     fn all(&self, method: &Method) -> Vec<End> {
         let first = self.starts.first().map(Vec::as_slice).unwrap_or_default();
-        match self.system.tangent_integrator(method, first) {
+        match self.model.integrator(method, first) {
             Ok(integrator) => {
-                let integrator = integrator.without_tangents();
                 self.starts.iter().map(|start| self.end(&integrator, start)).collect()
             }
             Err(error) => {
@@ -102,8 +133,8 @@ impl Ends<'_> {
                 break;
             }
         }
-        let reason = self.system.invariants(&last).err();
-        (last, reason.map(|error| message(&error)))
+        let reason = self.model.conserved(start).values(&last).err();
+        (last, reason)
     }
 }
 
@@ -111,13 +142,13 @@ impl Ends<'_> {
 #[pyfunction]
 pub fn growth_of_system(
     py: Python<'_>,
-    system: PyRef<'_, System>,
+    system: AnySystem<'_>,
     states: PyReadonlyArray2<'_, f64>,
     times: Times,
     method: MethodArgument,
     tangents: &str,
 ) -> PyResult<Indicators> {
-    let (method, system): (_, &dyn Model) = (system.method(method)?, &system.system);
+    let (method, model) = (system.method(method)?, system.model());
     let starts: Vec<Vec<f64>> = states.as_array().outer_iter().map(|row| row.to_vec()).collect();
-    growth_of_models(py, &[system], &starts, times, (&method, tangents))
+    growth_of_models(py, &[model], &starts, times, (&method, tangents))
 }

@@ -1,5 +1,6 @@
 //! Any Lie–Poisson system: its algebra and its Hamiltonian, its runs, and many of them at once.
 
 pub(crate) mod algebra;
+pub(crate) mod arrays;
 pub(crate) mod system;
 pub(crate) mod many;

@@ -77,7 +77,10 @@ impl ArrayKind {
     /// # Errors
     /// Returns [`FormulaSystemError::KindParameter`] if a parameter is missing, has another shape, or is none of the system,
     /// and [`FormulaSystemError::KindValue`] if it has a value that it cannot have.
-    pub fn system(&'static self, parameters: &Arguments) -> Result<ArraySystem, FormulaSystemError> {
+    pub fn system(
+        &'static self,
+        parameters: &Arguments,
+    ) -> Result<ArraySystem, FormulaSystemError> {
         let given = Given::new(self.name, self.parameters, parameters)?;
         Ok(ArraySystem::new(self, (self.make)(&given)?))
     }

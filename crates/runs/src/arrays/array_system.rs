@@ -51,6 +51,17 @@ impl ArraySystem {
         self.system.start(&Given::new(self.kind.name, self.kind.start, given)?)
     }
 
+    /// Returns the rate dμ/dt of a state, both in the arrays of the users.
+    ///
+    /// # Errors
+    /// If the state has another number of coordinates.
+    pub fn rate(&self, given: &[f64]) -> Result<Vec<f64>, RunFailure> {
+        let mut rate = self.system.rate(&Model::start(self, given)?);
+        // What users read depends linearly on the state.
+        self.system.present(&mut rate);
+        Ok(rate)
+    }
+
     /// Returns the values of the field of a state, as users read it, on a circle of constant colatitude (rad), at so many
     /// longitudes from 0 on; `None` if the system is no fluid on the sphere.
     #[must_use]
@@ -204,6 +215,8 @@ impl Conserved for Invariants<'_> {
         let (mut values, names) = (Vec::new(), self.names());
         self.append(momentum, &mut values);
         let found = names.iter().zip(&values).find(|(_, value)| !value.is_finite());
-        found.map_or("a conserved quantity has no value".into(), |(name, value)| format!("{name} is {value}"))
+        found.map_or("a conserved quantity has no value".into(), |(name, value)| {
+            format!("{name} is {value}")
+        })
     }
 }

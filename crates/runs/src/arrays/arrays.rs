@@ -42,6 +42,9 @@ pub(super) trait Arrays: fmt::Debug + Send + Sync {
     /// Returns dh.
     fn differential(&self, state: &[f64]) -> Vec<f64>;
 
+    /// Returns the rate dμ/dt of a state.
+    fn rate(&self, state: &[f64]) -> Vec<f64>;
+
     /// Returns the fastest rate of the motion, in radians per unit of time.
     fn fastest_rate(&self, state: &[f64]) -> f64;
 

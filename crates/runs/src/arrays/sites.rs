@@ -108,7 +108,7 @@ impl SitesSystem {
         match (self, method.scheme()) {
             (Self::Spins(spins), SchemeName::SphericalMidpoint) => {
                 let zero: Momenta = State::zeros_of(&count);
-        let period = resumable_after(3 * count);
+                let period = resumable_after(3 * count);
                 let midpoint = LatticeMidpoint::new(spins.clone()).with_solver(solver(method));
                 Ok(AnyIntegrator::of_states(Renewed { integrator: midpoint, period }, &zero, &zero))
             }
@@ -130,7 +130,11 @@ impl SitesSystem {
         let period = resumable_after(3 * count);
         if name == SchemeName::SphericalMidpoint {
             let midpoint = SphericalMidpoint::new(self.clone()).with_solver(solver(method));
-            return Ok(AnyIntegrator::of_states_with_tangents(Renewed { integrator: midpoint, period }, &zero, &zero));
+            return Ok(AnyIntegrator::of_states_with_tangents(
+                Renewed { integrator: midpoint, period },
+                &zero,
+                &zero,
+            ));
         }
         let impossible = || MethodError::NoSuchPair { formulation, scheme: name };
         let scheme = name.runge_kutta(method.tolerance())?.ok_or_else(impossible)?;
@@ -138,15 +142,27 @@ impl SitesSystem {
             Formulation::Collective => {
                 let collective = CollectiveSites::new(scheme, HOPF, self.clone());
                 let points = Sites::zeros_of(&count);
-                AnyIntegrator::of_states_with_tangents(Renewed { integrator: collective, period }, &points, &zero)
+                AnyIntegrator::of_states_with_tangents(
+                    Renewed { integrator: collective, period },
+                    &points,
+                    &zero,
+                )
             }
             Formulation::Reduced => {
                 let reduced = LiftFreeSites::new(scheme, Quaternions, self.clone());
-                AnyIntegrator::of_states_with_tangents(Renewed { integrator: reduced, period }, &zero, &zero)
+                AnyIntegrator::of_states_with_tangents(
+                    Renewed { integrator: reduced, period },
+                    &zero,
+                    &zero,
+                )
             }
             Formulation::Direct => {
                 let direct = Direct::new(scheme, self.clone());
-                AnyIntegrator::of_states_with_tangents(Renewed { integrator: direct, period }, &zero, &zero)
+                AnyIntegrator::of_states_with_tangents(
+                    Renewed { integrator: direct, period },
+                    &zero,
+                    &zero,
+                )
             }
             Formulation::Splitting => return Err(impossible().into()),
         })

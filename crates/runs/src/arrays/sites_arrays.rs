@@ -5,7 +5,7 @@ use super::arrays::{ArrayShape, Arrays};
 use super::directions::{Directions, on_cone};
 use super::sites::{SitesSystem, momenta, numbers, total};
 use crate::error::RunFailure;
-use collective_integrators::{AnyIntegrator, AnyTangents};
+use collective_integrators::{AnyIntegrator, AnyTangents, VectorField};
 use core::f64::consts::{PI, TAU};
 use core::fmt;
 use heavytop::methods::{Formulation, Method, SchemeName};
@@ -88,6 +88,10 @@ impl Arrays for SitesArrays {
         self.system.differential(&momenta(state))
     }
 
+    fn rate(&self, state: &[f64]) -> Vec<f64> {
+        numbers(&self.system.at(&momenta(state)).0)
+    }
+
     fn fastest_rate(&self, state: &[f64]) -> f64 {
         self.system.fastest_rate(&momenta(state))
     }
@@ -118,16 +122,17 @@ impl Arrays for SitesArrays {
 
 /// Returns spins of these shape: those that are given as S, or unit vectors along a direction, on the cone of a wave, and
 /// tilted at random.
-pub(super) fn spin_start(
-    shape: &[usize],
-    given: &Given<'_>,
-    random: &mut Directions,
-) -> Started {
+pub(super) fn spin_start(shape: &[usize], given: &Given<'_>, random: &mut Directions) -> Started {
     let count: usize = shape.iter().product();
     let spins = given.values("S");
     if given.has("S") {
         if spins.len() != 3 * count {
-            let needed = format!("{} numbers, an array of shape {:?}, got {}", 3 * count, [shape, &[3]].concat(), spins.len());
+            let needed = format!(
+                "{} numbers, an array of shape {:?}, got {}",
+                3 * count,
+                [shape, &[3]].concat(),
+                spins.len()
+            );
             return Err(given.refused("S", needed));
         }
         if let Some(i) = spins.as_chunks::<3>().0.iter().position(|s| *s == [0.0; 3]) {

@@ -2,7 +2,9 @@
 
 use collective_integrators::{AnyState, Integrator, Scheme, Start, Step, StepError, VectorField};
 use lie_poisson::{Covector, Real, State, Vector};
-use momentum_map::{HopfRealisation, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Side, So3OnC2};
+use momentum_map::{
+    HopfRealisation, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Side, So3OnC2,
+};
 use nalgebra::{Vector2, Vector3};
 use num_complex::Complex;
 

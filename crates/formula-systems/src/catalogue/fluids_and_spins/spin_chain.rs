@@ -32,7 +32,7 @@ fn describe(given: &Given<'_>) -> Result<Description, KindError> {
     let (count, periodic) = (given.number("spins"), given.number("periodic"));
     let most = SystemAlgebra::MOST_DIMENSIONS / 3;
     if count.fract() != 0.0 || !(2.0..=most as f64).contains(&count) {
-        let needed = format!("a whole number from 2 to {most}, got {count}");
+        let needed = format!("a whole number from 2 to {most}, got {count}; spin-lattice has more");
         return Err(KindError::Value("spins", needed));
     }
     let closed = match periodic {

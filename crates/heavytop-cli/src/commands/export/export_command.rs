@@ -103,7 +103,10 @@ pub fn export(
 }
 
 /// Returns the name and the shape of each array of vectors on a lattice, of so many samples.
-fn fields(archive: &mut Archive, samples: usize) -> Result<Vec<(String, Vec<usize>)>, FieldFileError> {
+fn fields(
+    archive: &mut Archive,
+    samples: usize,
+) -> Result<Vec<(String, Vec<usize>)>, FieldFileError> {
     let (mut fields, names) = (Vec::new(), archive.names());
     for name in &names {
         let Ok((header, _)) = archive.array(name) else { continue };

@@ -2,7 +2,7 @@
 
 use super::run_arrays::RunArrays;
 use crate::errors::Error;
-use crate::pictures::raster::{bar, image, pixels};
+use crate::pictures::raster::{bar, image, pixels, range};
 use crate::pictures::{Axis, Frame, Scale};
 
 /// The largest number of columns and of rows of pixels.
@@ -16,21 +16,22 @@ pub(super) fn chain_picture(run: &mut RunArrays) -> Result<String, Error> {
     let (name, shape) = run.first();
     let sites = shape.first().copied().unwrap_or(0);
     let strides = [run.times.len(), sites].map(|count| count.div_ceil(MOST).max(1));
-    let (mut columns, mut most): (Vec<Vec<f64>>, f64) = (Vec::new(), 0.0);
+    let mut columns: Vec<Vec<f64>> = Vec::new();
     run.each(|number, spins| {
         if number.is_multiple_of(strides[0]) {
             let spins = spins.as_chunks::<3>().0.iter().step_by(strides[1]);
             let column: Vec<f64> = spins.map(|spin| spin[2]).collect();
-            most = column.iter().fold(most, |most, x| most.max(x.abs()));
             columns.push(column);
         }
         true
     })?;
     let rows = columns.first().map_or(0, Vec::len);
-    let range = [-most.max(f64::MIN_POSITIVE), most.max(f64::MIN_POSITIVE)];
-    let from_top = (0..rows).rev().flat_map(|row| columns.iter().map(move |column| column.get(row).copied()));
+    let range = range(columns.iter().flatten().copied());
+    let from_top =
+        (0..rows).rev().flat_map(|row| columns.iter().map(move |column| column.get(row).copied()));
     let cells: Vec<Option<f64>> = from_top.collect();
-    let ordinate = Scale::linear(&Axis::new(0.5, sites as f64 + 0.5, 5), "number of the spin", false);
+    let ordinate =
+        Scale::linear(&Axis::new(0.5, sites as f64 + 0.5, 5), "number of the spin", false);
     let scale = Scale::linear(&Axis::new(range[0], range[1], 4), &format!("{name}₃"), false);
     let frame = Frame::new(&run.caption(format!("{sites} spins")), ordinate, Some(scale));
     let end = run.times.last().copied().unwrap_or(0.0);

@@ -2,7 +2,7 @@
 
 use super::run_arrays::RunArrays;
 use crate::errors::Error;
-use crate::pictures::raster::{bar, image, pixels};
+use crate::pictures::raster::{bar, image, pixels, range};
 use crate::pictures::{Axis, Frame, Scale};
 use std::fmt::Write;
 
@@ -32,15 +32,17 @@ pub(super) fn lattice_picture(
     }
     let spins = run.sample(sample)?;
     let spins = spins.as_chunks::<3>().0;
-    let spin = |x: usize, y: usize| spins.get((x * ny + y) * nz + plane).copied().unwrap_or_default();
+    let spin =
+        |x: usize, y: usize| spins.get((x * ny + y) * nz + plane).copied().unwrap_or_default();
     let lengths = spins.iter().map(|s| s.iter().map(|x| x * x).sum::<f64>().sqrt());
     let most = lengths.fold(f64::MIN_POSITIVE, f64::max);
     let from_top = (0..ny).rev().flat_map(|y| (0..nx).map(move |x| (x, y)));
     let cells: Vec<Option<f64>> = from_top.map(|(x, y)| Some(spin(x, y)[2])).collect();
 
+    let range = range(cells.iter().flatten().copied());
     let axis = |count: usize| Axis::new(-0.5, count as f64 - 0.5, 5);
     let ordinate = Scale::linear(&axis(ny), "second index", false);
-    let scale = Scale::linear(&Axis::new(-most, most, 4), &format!("{name}₃"), false);
+    let scale = Scale::linear(&Axis::new(range[0], range[1], 4), &format!("{name}₃"), false);
     let time = run.times.get(sample).copied().unwrap_or_default();
     let what = match nz {
         1 => format!("t = {time} s"),
@@ -51,18 +53,23 @@ pub(super) fn lattice_picture(
     let mut svg = Frame::begin();
     let across = (frame.left, frame.right);
     let size = [nx as u32, ny as u32];
-    image(&mut svg, &frame, across, &pixels(size, &cells, Some([-most, most]), 255)?);
+    image(&mut svg, &frame, across, &pixels(size, &cells, Some(range), 255)?);
     arrows(&mut svg, &frame, [nx, ny], |x, y| {
         let [first, second, _] = spin(x, y);
         [first / most, second / most]
     });
-    bar(&mut svg, &frame, [-most, most])?;
+    bar(&mut svg, &frame, range)?;
     frame.draw(&mut svg, &abscissa);
     Ok(svg + "</svg>")
 }
 
 /// Draws an arrow for each spin of the plane, or for some of many.
-fn arrows(svg: &mut String, frame: &Frame, [nx, ny]: [usize; 2], spin: impl Fn(usize, usize) -> [f64; 2]) {
+fn arrows(
+    svg: &mut String,
+    frame: &Frame,
+    [nx, ny]: [usize; 2],
+    spin: impl Fn(usize, usize) -> [f64; 2],
+) {
     let strides = [nx, ny].map(|count| count.div_ceil(ARROWS).max(1));
     let (width, height) = (frame.right - frame.left, frame.bottom - frame.top);
     let cell = [width / nx as f64, height / ny as f64];
@@ -86,7 +93,12 @@ fn arrows(svg: &mut String, frame: &Frame, [nx, ny]: [usize; 2], spin: impl Fn(u
             let _ = write!(
                 path,
                 "M{:.0} {:.0}L{:.0} {:.0}l{a:.0} {b:.0}M{:.0} {:.0}l{c:.0} {d:.0}",
-                centre[0] - 0.5 * first, centre[1] + 0.5 * second, tip[0], tip[1], tip[0], tip[1]
+                centre[0] - 0.5 * first,
+                centre[1] + 0.5 * second,
+                tip[0],
+                tip[1],
+                tip[0],
+                tip[1]
             );
         }
     }

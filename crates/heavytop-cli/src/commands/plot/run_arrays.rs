@@ -32,7 +32,8 @@ impl RunArrays {
         let metadata: serde_json::Value = serde_json::from_str(&metadata).map_err(|_| foreign())?;
         let text = metadata.get("configuration").and_then(|text| text.as_str());
         let config: Config = toml::from_str(text.ok_or_else(foreign)?).map_err(|_| foreign())?;
-        let Some(system) = config.system.as_ref().map(|table| table.array_system()).transpose()?.flatten()
+        let Some(system) =
+            config.system.as_ref().map(|table| table.array_system()).transpose()?.flatten()
         else {
             return Err(SystemTableError::NoArrays.into());
         };

@@ -16,6 +16,9 @@ const SIZE: [u32; 2] = [960, 480];
 /// The end of the scale of colours, in multiples of the root mean square.
 const MOST: f64 = 3.0;
 
+/// The height of a picture, in units of 0.01 mm: a map is half as high as wide.
+const HEIGHT: f64 = 6_900.0;
+
 /// The place of a map in its frame.
 struct Map {
     frame: Frame,
@@ -27,7 +30,8 @@ struct Map {
 impl Map {
     fn new(frame: Frame) -> Self {
         let centre = [(frame.left + frame.right) / 2.0, (frame.top + frame.bottom) / 2.0];
-        let radius = 0.98 * ((frame.right - frame.left) / 4.0).min((frame.bottom - frame.top) / 2.0);
+        let radius =
+            0.985 * ((frame.right - frame.left) / 4.0).min((frame.bottom - frame.top) / 2.0);
         Self { frame, centre, radius }
     }
 
@@ -75,7 +79,7 @@ impl Map {
 
 fn frame_of(run: &RunArrays, what: String, bar: Option<Scale>) -> Frame {
     let blank = Scale { ticks: Vec::new(), title: String::new(), line: None };
-    Frame::new(&run.caption(what), blank, bar)
+    Frame::of_height(HEIGHT, &run.caption(what), blank, bar)
 }
 
 /// The words below a map.
@@ -112,7 +116,7 @@ pub(super) fn fluid_picture(run: &mut RunArrays, sample: usize) -> Result<String
     let time = run.times.get(sample).copied().unwrap_or_default();
     let size = run.first().1.first().copied().unwrap_or(0);
     let map = Map::new(frame_of(run, format!("N = {size}, t = {time} s"), Some(scale)));
-    let mut svg = Frame::begin();
+    let mut svg = Frame::begin_of_height(HEIGHT);
     let ([x, y], radius) = (map.centre, map.radius);
     let png = pixels(SIZE, &cells, Some([-most, most]), 255)?;
     image_at(&mut svg, (x - 2.0 * radius, x + 2.0 * radius), (y - radius, y + radius), &png);
@@ -134,7 +138,7 @@ pub(super) fn vortex_picture(run: &mut RunArrays, sample: usize) -> Result<Strin
     let time = run.times.get(sample).copied().unwrap_or_default();
     let what = format!("disks positive, rings negative, t = {time} s");
     let map = Map::new(frame_of(run, what, None));
-    let mut svg = Frame::begin();
+    let mut svg = Frame::begin_of_height(HEIGHT);
     map.draw(&mut svg);
     let radius = (4.0 * map.radius / (vortices.len() as f64).sqrt()).clamp(12.0, 60.0);
     for (vortex, strength) in vortices.as_chunks::<3>().0.iter().zip(&strengths) {
@@ -142,7 +146,9 @@ pub(super) fn vortex_picture(run: &mut RunArrays, sample: usize) -> Result<Strin
         let [x, y] = map.place(z.clamp(-1.0, 1.0).asin(), y.atan2(x) % TAU);
         let style = match *strength > 0.0 {
             true => "fill=\"#b2182b\"".to_owned(),
-            false => format!("fill=\"none\" stroke=\"#2166ac\" stroke-width=\"{:.0}\"", 0.5 * radius),
+            false => {
+                format!("fill=\"none\" stroke=\"#2166ac\" stroke-width=\"{:.0}\"", 0.5 * radius)
+            }
         };
         // Writing to a string does not fail.
         let _ = write!(svg, "<circle cx=\"{x:.0}\" cy=\"{y:.0}\" r=\"{radius:.0}\" {style}/>");

@@ -67,7 +67,9 @@ impl Recording {
                 let steps = pace.schedule.steps;
                 checkpoint
                     .require(config, format, out)
-                    .and_then(|()| checkpoint.require_possible((steps, *resumable_after), *dimension, table))
+                    .and_then(|()| {
+                        checkpoint.require_possible((steps, *resumable_after), *dimension, table)
+                    })
                     .and_then(|()| reopen(path, checkpoint, pace, format, table))
                     .map_err(|source| Error::Checkpoint { path: checkpoint.path.clone(), source })?
             }

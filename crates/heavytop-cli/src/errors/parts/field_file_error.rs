@@ -21,7 +21,9 @@ pub enum FieldFileError {
         has: Vec<String>,
     },
     /// The array has another shape.
-    #[error("the shape of {name} is {found:?}, not {expected:?}, nor that with a number of samples before it")]
+    #[error(
+        "the shape of {name} is {found:?}, not {expected:?}, nor that with a number of samples before it"
+    )]
     Shape {
         /// The name of the array.
         name: String,

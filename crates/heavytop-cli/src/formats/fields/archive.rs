@@ -31,7 +31,9 @@ impl Archive {
     pub(crate) fn open(path: &Path) -> Result<Self, FieldFileError> {
         let file = BufReader::with_capacity(1 << 20, File::open(path)?);
         let archive = ZipArchive::new(file);
-        archive.map(Self).map_err(|error| FieldFileError::Format(format!("it is no archive of arrays: {error}")))
+        archive
+            .map(Self)
+            .map_err(|error| FieldFileError::Format(format!("it is no archive of arrays: {error}")))
     }
 
     /// Returns the names of the arrays.
@@ -183,7 +185,9 @@ mod tests {
     #[test]
     fn headers_of_numbers_in_the_order_of_c_are_read() {
         let of = |descr: &str, fortran: &str, shape: &str| {
-            Header::parse(&format!("{{'descr': '{descr}', 'fortran_order': {fortran}, 'shape': {shape}, }}  \n"))
+            Header::parse(&format!(
+                "{{'descr': '{descr}', 'fortran_order': {fortran}, 'shape': {shape}, }}  \n"
+            ))
         };
         let header = |width, shape: &[usize]| Some(Header { width, shape: shape.to_vec() });
         assert_eq!(of("<f8", "False", "(3, 4)"), header(8, &[3, 4]));

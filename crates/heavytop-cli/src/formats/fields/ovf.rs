@@ -63,7 +63,8 @@ pub(crate) fn write(
 
 /// Reads the field of vectors in a file as an array of this name and shape.
 pub(super) fn read(path: &Path, name: &str, shape: &[usize]) -> Result<Vec<f64>, FieldFileError> {
-    let wrong = |what: &str| FieldFileError::Format(format!("it is no OVF file of version 2: {what}"));
+    let wrong =
+        |what: &str| FieldFileError::Format(format!("it is no OVF file of version 2: {what}"));
     let mut file = BufReader::with_capacity(1 << 20, File::open(path)?);
     let (mut nodes, mut components) = ([0_usize; 3], 0_usize);
     let mut first = true;
@@ -74,17 +75,22 @@ pub(super) fn read(path: &Path, name: &str, shape: &[usize]) -> Result<Vec<f64>,
         }
         let line = String::from_utf8_lossy(&line).to_ascii_lowercase();
         let text = line.trim_start_matches('#').trim();
-        if std::mem::take(&mut first) && text.split_whitespace().collect::<Vec<_>>() != ["oommf", "ovf", "2.0"] {
+        if std::mem::take(&mut first)
+            && text.split_whitespace().collect::<Vec<_>>() != ["oommf", "ovf", "2.0"]
+        {
             return Err(wrong("its first line is not `# OOMMF OVF 2.0`"));
         }
-        let (key, value) = text.split_once(':').map_or((text, ""), |(key, value)| (key, value.trim()));
+        let (key, value) =
+            text.split_once(':').map_or((text, ""), |(key, value)| (key, value.trim()));
         let number = || value.parse().map_err(|_| wrong(&format!("{key} is {value}")));
         match key {
             "xnodes" => nodes[0] = number()?,
             "ynodes" => nodes[1] = number()?,
             "znodes" => nodes[2] = number()?,
             "valuedim" => components = number()?,
-            "begin" if value.starts_with("data") => break value.trim_start_matches("data").trim().to_owned(),
+            "begin" if value.starts_with("data") => {
+                break value.trim_start_matches("data").trim().to_owned();
+            }
             _ => {}
         }
     };

@@ -33,7 +33,8 @@ fn schemes_have_the_orders_of_their_names() {
     for &(name, scheme) in SchemeName::NAMES {
         let order = match name {
             "symplectic-euler" => 1,
-            "implicit-midpoint" | "spherical-midpoint" | "explicit-midpoint" | "stormer-verlet" | "strang" => 2,
+            "implicit-midpoint" | "spherical-midpoint" | "explicit-midpoint" | "stormer-verlet"
+            | "strang" => 2,
             "rk4" => 4,
             _ => name.rsplit('-').next().unwrap().parse().unwrap(),
         };

@@ -147,7 +147,9 @@ fn compare(
 ) -> RunAccuracy {
     let turn = |mu: &[f64]| step.abs() * system.fastest_rate(mu);
     let unknown = || RunAccuracy { step, order, angle: turn(start), error: None };
-    let Some((Effort { samples, repeated }, [Some(whole), Some(half)])) = runs else { return unknown() };
+    let Some((Effort { samples, repeated }, [Some(whole), Some(half)])) = runs else {
+        return unknown();
+    };
     let momenta = || core::iter::once(start).chain(half.momenta());
     let angle = momenta().map(turn).fold(0.0, larger);
     let distance = RelativeDistance::new(system, momenta());

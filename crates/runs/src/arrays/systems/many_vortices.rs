@@ -19,7 +19,8 @@ pub(in crate::arrays) const PARAMETERS: &[Parameter] =
 pub(in crate::arrays) const START: &[Parameter] = &[
     Parameter::list("positions", "[x, y, z] of each vortex on the unit sphere").or(&[]),
     Parameter::list("m", "positions times strengths, instead of positions").or(&[]),
-    Parameter::number("seed", "of random positions, instead of positions").or(&[0.0]),
+    Parameter::number("seed", "of random positions, none near another, instead of positions")
+        .or(&[0.0]),
 ];
 
 /// The largest distance of a vortex from the unit sphere, that of positions with six digits.
@@ -47,6 +48,20 @@ pub(in crate::arrays) fn make(given: &Given<'_>) -> Made {
     }))
 }
 
+/// Returns so many points of the sphere without a pattern, none nearer to another than √(2/N), so that no pair turns much
+/// faster than the others.
+fn apart(count: usize, mut random: Directions) -> Vec<Vector3<f64>> {
+    let least = 2.0 / count as f64;
+    let mut positions: Vec<Vector3<f64>> = Vec::with_capacity(count);
+    while positions.len() < count {
+        let next = random.within(PI, &Vector3::z());
+        if positions.iter().all(|x| (x - next).norm_squared() >= least) {
+            positions.push(next);
+        }
+    }
+    positions
+}
+
 fn start(vortices: &SitesArrays, given: &Given<'_>) -> Started {
     let SitesSystem::Vortices(system) = &vortices.system else { return Ok(Vec::new()) };
     let count = vortices.shape.iter().product::<usize>();
@@ -56,9 +71,8 @@ fn start(vortices: &SitesArrays, given: &Given<'_>) -> Started {
     let name = if given.has("m") { "m" } else { "positions" };
     let values = given.values(name);
     if !given.has(name) {
-        let mut random = Directions::new(seed(given)?);
-        let positions: Vec<_> = (0..count).map(|_| random.within(PI, &Vector3::z())).collect();
-        return Ok(times_strengths(&positions));
+        let random = Directions::new(seed(given)?);
+        return Ok(times_strengths(&apart(count, random)));
     }
     if values.len() != 3 * count {
         let needed = format!("three numbers for each of {count} vortices, got {}", values.len());
@@ -69,7 +83,8 @@ fn start(vortices: &SitesArrays, given: &Given<'_>) -> Started {
     for (i, x) in vectors.iter().enumerate() {
         let length = x.norm() / scale(i);
         if !((length - 1.0).abs() <= ON_SPHERE) {
-            let needed = format!("points of the unit sphere; the distance of number {} is {length}", i + 1);
+            let needed =
+                format!("points of the unit sphere; the distance of number {} is {length}", i + 1);
             return Err(given.refused(name, needed));
         }
     }

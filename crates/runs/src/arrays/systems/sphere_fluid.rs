@@ -8,7 +8,7 @@ use crate::arrays::renewed::{Renewed, resumable_after};
 use crate::arrays::sites_arrays::Started;
 use crate::arrays::systems::spin_lattice::seed;
 use crate::error::RunFailure;
-use collective_integrators::{AnyIntegrator, AnyTangents, Direct};
+use collective_integrators::{AnyIntegrator, AnyTangents, Direct, VectorField};
 use core::f64::consts::PI;
 use heavytop::methods::{Formulation, Method, MethodError, SchemeName};
 use lie_poisson::State;
@@ -27,9 +27,11 @@ pub(in crate::arrays) const PARAMETERS: &[Parameter] = &[
 ];
 
 pub(in crate::arrays) const START: &[Parameter] = &[
-    Parameter::list("coefficients", "rows [l, m, re, im] of the absolute vorticity, m from 0 to l").or(&[]),
+    Parameter::list("coefficients", "rows [l, m, re, im] of the absolute vorticity, m from 0 to l")
+        .or(&[]),
     Parameter::list("omega", "all coefficients as in the output, instead").or(&[]),
-    Parameter::list("degrees", "the least and the largest degree of a random vorticity, instead").or(&[]),
+    Parameter::list("degrees", "the least and the largest degree of a random vorticity, instead")
+        .or(&[]),
     Parameter::number("rms", "root mean square of a random vorticity").or(&[1.0]),
     Parameter::number("seed", "of a random vorticity, a whole number").or(&[0.0]),
 ];
@@ -113,6 +115,11 @@ impl Arrays for SphereFluid {
         (0..n * n).map(|i| scale * p.coordinate(i)).collect()
     }
 
+    fn rate(&self, state: &[f64]) -> Vec<f64> {
+        let rate = CommutatorField::new(&self.0).at(&self.matrix(state));
+        (0..rate.dimension()).map(|i| rate.coordinate(i)).collect()
+    }
+
     /// A fluid turns by half of its vorticity, here by that of three times its root mean square.
     fn fastest_rate(&self, state: &[f64]) -> f64 {
         1.5 * (self.0.enstrophy(&self.matrix(state)) / (4.0 * PI)).sqrt()
@@ -157,7 +164,11 @@ impl Arrays for SphereFluid {
         if given.has("omega") {
             let values = given.values("omega");
             if values.len() != n * n {
-                let needed = format!("{} numbers, an array of shape [{n}, {n}], got {}", n * n, values.len());
+                let needed = format!(
+                    "{} numbers, an array of shape [{n}, {n}], got {}",
+                    n * n,
+                    values.len()
+                );
                 return Err(given.refused("omega", needed));
             }
             return Ok(values.to_vec());
@@ -168,7 +179,11 @@ impl Arrays for SphereFluid {
                 _ => [None; 2],
             };
             let (Some(least), Some(most)) = (least, most) else {
-                let needed = format!("two whole numbers from 0 to {}, got {:?}", n - 1, given.values("degrees"));
+                let needed = format!(
+                    "two whole numbers from 0 to {}, got {:?}",
+                    n - 1,
+                    given.values("degrees")
+                );
                 return Err(given.refused("degrees", needed));
             };
             let mut random = Directions::new(seed(given)?);
@@ -182,14 +197,18 @@ impl Arrays for SphereFluid {
         }
         let rows = given.values("coefficients");
         if rows.len() % 4 != 0 || !given.has("degrees") && !given.has("coefficients") {
-            let needed = format!("rows of four numbers, [l, m, re, im], got {} numbers", rows.len());
+            let needed =
+                format!("rows of four numbers, [l, m, re, im], got {} numbers", rows.len());
             return Err(given.refused("coefficients", needed));
         }
         for [l, m, re, im] in rows.as_chunks::<4>().0 {
             let degree = whole(*l, [0, n - 1]);
             let order = degree.and_then(|l| whole(*m, [0, l]));
             let (Some(l), Some(m)) = (degree, order) else {
-                let needed = format!("degrees l from 0 to {} and orders m from 0 to l, got {l} and {m}", n - 1);
+                let needed = format!(
+                    "degrees l from 0 to {} and orders m from 0 to l, got {l} and {m}",
+                    n - 1
+                );
                 return Err(given.refused("coefficients", needed));
             };
             omega.set(l, m, omega.at(l, m) + Complex::new(*re, *im));

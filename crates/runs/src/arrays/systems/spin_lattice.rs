@@ -13,8 +13,16 @@ pub(in crate::arrays) const NAME: &str = "spin-lattice";
 
 pub(in crate::arrays) const PARAMETERS: &[Parameter] = &[
     Parameter::list("shape", "spins along each of one to three axes; the lattice is periodic"),
-    Parameter::number_or_list("exchange", "J of neighbours, for all axes or for each; positive for a ferromagnet").or(&[0.0]),
-    Parameter::list("bonds", "rows [d1, d2, d3, J] of further bonds, each to the spin at that offset").or(&[]),
+    Parameter::number_or_list(
+        "exchange",
+        "J of neighbours, for all axes or for each; positive for a ferromagnet",
+    )
+    .or(&[0.0]),
+    Parameter::list(
+        "bonds",
+        "rows [d1, d2, d3, J] of further bonds, each to the spin at that offset",
+    )
+    .or(&[]),
     Parameter::number("anisotropy", "K; positive for an easy axis").or(&[0.0]),
     Parameter::vector("axis", 3, "direction of the anisotropy").or(&[0.0, 0.0, 1.0]),
     Parameter::vector("field", 3, "B").or(&[0.0, 0.0, 0.0]),
@@ -22,11 +30,13 @@ pub(in crate::arrays) const PARAMETERS: &[Parameter] = &[
 
 /// What gives the spins at the start.
 pub(in crate::arrays) const SPIN_START: [Parameter; 6] = [
-    Parameter::list("S", "the components of all spins, those of the last axis of the shape first").or(&[]),
+    Parameter::list("S", "the components of all spins, those of the last axis of the shape first")
+        .or(&[]),
     Parameter::vector("direction", 3, "of the spins, instead of S").or(&[0.0, 0.0, 1.0]),
     Parameter::list("waves", "periods of a spin wave along each axis").or(&[]),
     Parameter::number("cone", "the angle of its spins from the direction, rad").or(&[0.0]),
-    Parameter::number("tilt", "the largest random angle from the direction, or from the wave, rad").or(&[0.0]),
+    Parameter::number("tilt", "the largest random angle from the direction, or from the wave, rad")
+        .or(&[0.0]),
     Parameter::number("seed", "of the random angles, a whole number").or(&[0.0]),
 ];
 
@@ -46,22 +56,29 @@ pub(in crate::arrays) fn make(given: &Given<'_>) -> Made {
     let shape = shape(given)?;
     let along = |offset: &[i64]| {
         let mut cells = [0; 3];
-        cells.iter_mut().zip(offset.iter().take(shape.len()).rev()).for_each(|(cell, d)| *cell = *d);
+        cells
+            .iter_mut()
+            .zip(offset.iter().take(shape.len()).rev())
+            .for_each(|(cell, d)| *cell = *d);
         cells
     };
     let mut cells = [1; 3];
     cells.iter_mut().zip(shape.iter().rev()).for_each(|(cells, count)| *cells = *count);
-    let refused = |name| move |error: lie_poisson_systems::SystemError| given.refused(name, error.to_string());
+    let refused = |name| {
+        move |error: lie_poisson_systems::SystemError| given.refused(name, error.to_string())
+    };
     let mut lattice = HeisenbergLattice::new(cells).map_err(refused("shape"))?;
     let exchange = given.values("exchange");
     if ![1, shape.len()].contains(&exchange.len()) {
-        let needed = format!("one number, or one for each of {} axes, got {}", shape.len(), exchange.len());
+        let needed =
+            format!("one number, or one for each of {} axes, got {}", shape.len(), exchange.len());
         return Err(given.refused("exchange", needed));
     }
     for (axis, constant) in (0..shape.len()).zip(exchange.iter().cycle()) {
         let offset: Vec<i64> = (0..shape.len()).map(|other| i64::from(other == axis)).collect();
         if *constant != 0.0 {
-            lattice = lattice.with_exchange(along(&offset), *constant).map_err(refused("exchange"))?;
+            lattice =
+                lattice.with_exchange(along(&offset), *constant).map_err(refused("exchange"))?;
         }
     }
     let bonds = given.values("bonds");
@@ -77,14 +94,17 @@ pub(in crate::arrays) fn make(given: &Given<'_>) -> Made {
         let offset = offset.map(|d| d as i64);
         lattice = lattice.with_exchange(along(&offset), *constant).map_err(refused("bonds"))?;
     }
-    let (anisotropy, axis, field) = (given.number("anisotropy"), given.vector("axis"), given.vector("field"));
+    let (anisotropy, axis, field) =
+        (given.number("anisotropy"), given.vector("axis"), given.vector("field"));
     let lattice = lattice.with_anisotropy(axis, anisotropy).map_err(refused("axis"))?;
     let lattice = lattice.with_field(field).map_err(refused("field"))?;
     let symmetry = match (anisotropy != 0.0, field != Vector3::zeros()) {
         (false, false) => None,
         (true, false) => Some(axis),
         (false, true) => Some(field),
-        (true, true) => Some(if axis.cross(&field).amax() == 0.0 { axis } else { Vector3::zeros() }),
+        (true, true) => {
+            Some(if axis.cross(&field).amax() == 0.0 { axis } else { Vector3::zeros() })
+        }
     };
     Ok(Box::new(SitesArrays {
         system: SitesSystem::Spins(lattice),

@@ -10,7 +10,7 @@ use crate::arrays::sites_arrays::{Started, spin_start};
 use crate::arrays::spins_on_atoms::{Chain, LiftedChain};
 use crate::arrays::systems::spin_lattice::{SPIN_START, seed};
 use crate::error::RunFailure;
-use collective_integrators::{AnyIntegrator, AnyState, AnyTangents, Direct};
+use collective_integrators::{AnyIntegrator, AnyState, AnyTangents, Direct, VectorField};
 use heavytop::methods::{Formulation, Method, MethodError, SchemeName};
 use lie_poisson::larger;
 use lie_poisson_formula_systems::Parameter;
@@ -19,7 +19,10 @@ use nalgebra::Vector3;
 pub(in crate::arrays) const NAME: &str = "vibrating-lattice";
 
 pub(in crate::arrays) const PARAMETERS: &[Parameter] = &[
-    Parameter::number("atoms", "how many there are, at least 3; the last is a neighbour of the first"),
+    Parameter::number(
+        "atoms",
+        "how many there are, at least 3; the last is a neighbour of the first",
+    ),
     Parameter::number("mass", "m of an atom").or(&[1.0]),
     Parameter::number("stiffness", "of the spring between neighbours").or(&[1.0]),
     Parameter::number("exchange", "J of neighbouring spins; positive for a ferromagnet"),
@@ -27,7 +30,12 @@ pub(in crate::arrays) const PARAMETERS: &[Parameter] = &[
 ];
 
 pub(in crate::arrays) const START: &[Parameter] = &[
-    SPIN_START[0], SPIN_START[1], SPIN_START[2], SPIN_START[3], SPIN_START[4], SPIN_START[5],
+    SPIN_START[0],
+    SPIN_START[1],
+    SPIN_START[2],
+    SPIN_START[3],
+    SPIN_START[4],
+    SPIN_START[5],
     Parameter::list("q", "displacement of each atom along the chain").or(&[]),
     Parameter::list("p", "momentum of each atom").or(&[]),
 ];
@@ -88,6 +96,10 @@ impl Arrays for Chain {
         differential
     }
 
+    fn rate(&self, state: &[f64]) -> Vec<f64> {
+        self.at(&AnyState::from_slice(state)).as_slice().to_vec()
+    }
+
     /// The fastest spin, or the fastest vibration 2√(κ/m).
     fn fastest_rate(&self, state: &[f64]) -> f64 {
         let differential = Arrays::differential(self, state);
@@ -120,11 +132,19 @@ impl Arrays for Chain {
         Ok(match formulation {
             Formulation::Direct => {
                 let direct = Direct::new(scheme, *self);
-                AnyIntegrator::of_states_with_tangents(Renewed { integrator: direct, period }, &state(5), &state(5))
+                AnyIntegrator::of_states_with_tangents(
+                    Renewed { integrator: direct, period },
+                    &state(5),
+                    &state(5),
+                )
             }
             _ => {
                 let lifted = LiftedChain { scheme, chain: *self };
-                AnyIntegrator::of_states_with_tangents(Renewed { integrator: lifted, period }, &state(6), &state(5))
+                AnyIntegrator::of_states_with_tangents(
+                    Renewed { integrator: lifted, period },
+                    &state(6),
+                    &state(5),
+                )
             }
         })
     }
@@ -134,7 +154,8 @@ impl Arrays for Chain {
         for name in ["q", "p"] {
             let values = given.values(name);
             if given.has(name) && values.len() != self.count {
-                let needed = format!("a number for each of {} atoms, got {}", self.count, values.len());
+                let needed =
+                    format!("a number for each of {} atoms, got {}", self.count, values.len());
                 return Err(given.refused(name, needed));
             }
             state.extend(values);

@@ -15,7 +15,8 @@ use std::path::{Path, PathBuf};
 const TITLE: &str = "heavytop-checkpoint ";
 
 /// How a checkpoint is recognised.
-pub(in crate::commands::simulate) const KIND: Kind<'_> = Kind::of_first_bytes("checkpoint of simulate", TITLE.as_bytes());
+pub(in crate::commands::simulate) const KIND: Kind<'_> =
+    Kind::of_first_bytes("checkpoint of simulate", TITLE.as_bytes());
 
 /// The state of a run after a step, from which the run can continue.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,0 +1,193 @@
+//! A system of arrays, such as a lattice of spins, as a Python class.
+
+use super::algebra::ParameterArgument;
+use crate::arrays::rows;
+use crate::errors::refused;
+use crate::recorded::Recorded;
+use crate::runs::accuracy::{Accuracy, Check};
+use crate::runs::event::EventArgument;
+use crate::runs::following::{Following, MethodArgument, Setting, present};
+use collective_integrators::diagnostics::SystemScales;
+use heavytop::methods::{Method, MethodError};
+use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_runs::{Arguments, ArrayKind, ArraySystem, Model, RunFailure};
+use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
+use pyo3::types::{PyAnyMethods, PyType};
+use pyo3::{Bound, PyResult, Python, pyclass, pymethods};
+
+/// A system whose states are arrays.
+#[pyclass(frozen, module = "heavytop._native")]
+pub struct Arrays {
+    pub(crate) system: ArraySystem,
+    source: (String, Vec<ParameterArgument>),
+}
+
+#[pymethods]
+impl Arrays {
+    /// Creates the system of a kind with these parameters.
+    #[new]
+    fn new(kind: String, arguments: Vec<ParameterArgument>) -> PyResult<Self> {
+        let Some(found) = ArrayKind::named(&kind) else {
+            let all: Vec<_> = ArrayKind::ALL.iter().map(|kind| kind.name).collect();
+            let text = format!("there is no system of arrays {kind}; there are {}", all.join(", "));
+            return Err(PyValueError::new_err(text));
+        };
+        let system = found.system(&given(&arguments)).map_err(refused)?;
+        Ok(Self { system, source: (kind, arguments) })
+    }
+
+    /// The name and the shape of each array of a state.
+    #[getter]
+    fn arrays(&self) -> Vec<(&'static str, Vec<usize>)> {
+        self.system.arrays()
+    }
+
+    /// The symbols of what is conserved.
+    #[getter]
+    fn invariants(&self) -> Vec<String> {
+        self.system.conserved(&[]).names()
+    }
+
+    /// The Hamiltonian as text.
+    #[getter]
+    fn hamiltonian(&self) -> Option<String> {
+        self.system.formula("h")
+    }
+
+    /// The formulations that the system has, the default one first.
+    #[getter]
+    fn formulations(&self) -> Vec<&'static str> {
+        self.system.formulations().iter().map(|formulation| formulation.name()).collect()
+    }
+
+    /// Returns what pickle needs to make an equal system.
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> (Bound<'py, PyType>, (String, Vec<ParameterArgument>)) {
+        (slf.get_type(), slf.get().source.clone())
+    }
+
+    /// Returns the state that is given by the parameters of a start.
+    fn start<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: Vec<ParameterArgument>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let state = self.system.start_of(&given(&arguments)).map_err(refused)?;
+        Ok(PyArray1::from_vec(py, state))
+    }
+
+    /// Returns what is conserved of each of n states, as n rows.
+    fn invariant_values<'py>(
+        &self,
+        py: Python<'py>,
+        states: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let conserved = self.system.conserved(&[]);
+        self.each(py, &states, |given| {
+            let state = Model::start(&self.system, given)?;
+            let values = conserved.values(&state);
+            values.map_err(|reason| RunFailure::NoValue { time: 0.0, reason })
+        })
+    }
+
+    /// Returns the rate of each of n states, as n rows.
+    fn rates<'py>(
+        &self,
+        py: Python<'py>,
+        states: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.each(py, &states, |given| self.system.rate(given))
+    }
+
+    /// Returns the fastest rate of the motion through each of n states, as rows.
+    fn fastest_rates(&self, states: PyReadonlyArray2<'_, f64>) -> PyResult<Vec<f64>> {
+        let rate = |given: Vec<f64>| {
+            Ok(self.system.fastest_rate(&Model::start(&self.system, &given).map_err(refused)?))
+        };
+        states.as_array().outer_iter().map(|row| rate(row.to_vec())).collect()
+    }
+
+    /// Follows the system, and returns the columns of the run.
+    fn follow(
+        &self,
+        py: Python<'_>,
+        setting: Setting,
+        end: f64,
+        every: u64,
+        events: Vec<EventArgument>,
+    ) -> PyResult<Recorded> {
+        if !events.is_empty() {
+            return Err(PyValueError::new_err("a system of arrays has no events"));
+        }
+        let run = self.following(&setting)?;
+        let (mut record, widths) = run.record(py, (end, every), &[], None)?;
+        py.detach(|| present(&self.system, &mut record.samples.states, widths[0]));
+        Recorded::new(py, record, widths)
+    }
+
+    /// Measures how accurate a run of so many steps is: the angle of a step (rad), the estimated error, and a warning.
+    fn accuracy(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Accuracy> {
+        self.following(&setting)?.accuracy(py, steps)
+    }
+
+    /// Checks a run of so many steps by half the step and twice the step, and returns the error and the order.
+    fn check(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Check> {
+        self.following(&setting)?.check(py, steps)
+    }
+
+    /// Returns the states at times in the order of the run, as rows.
+    fn states_at<'py>(
+        &self,
+        py: Python<'py>,
+        setting: Setting,
+        times: Vec<f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.following(&setting)?.states_at(py, &times)
+    }
+}
+
+impl Arrays {
+    fn following(&self, (start, step, method): &Setting) -> PyResult<Following<'_>> {
+        Following::new(&self.system, self.method(method.clone())?, (start, *step))
+    }
+
+    /// Returns the method of these names.
+    pub(crate) fn method(
+        &self,
+        (formulation, scheme, tolerance): MethodArgument,
+    ) -> PyResult<Method> {
+        let method = || -> Result<Method, FormulaSystemError> {
+            let formulation = formulation.map(|name| name.parse().map_err(MethodError::from));
+            let scheme = scheme.parse().map_err(MethodError::from)?;
+            self.system.method(formulation.transpose()?, scheme, tolerance)
+        };
+        method().map_err(refused)
+    }
+
+    /// Returns a function of each state, as rows.
+    fn each<'py>(
+        &self,
+        py: Python<'py>,
+        states: &PyReadonlyArray2<'py, f64>,
+        function: impl Fn(&[f64]) -> Result<Vec<f64>, RunFailure>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (mut values, count) = (Vec::new(), states.as_array().nrows());
+        for state in states.as_array().outer_iter() {
+            values.extend(function(&state.to_vec()).map_err(refused)?);
+        }
+        let width = values.len().checked_div(count).unwrap_or(0);
+        rows(py, values, [count, width])
+    }
+}
+
+/// Returns the numbers and lists of the arguments.
+fn given(arguments: &[ParameterArgument]) -> Arguments {
+    arguments.iter().fold(Arguments::new(), |all, (name, values, is_list)| {
+        match (values.as_slice(), is_list) {
+            (&[value], false) => all.number(name, value),
+            (values, _) => all.list(name, values.to_vec()),
+        }
+    })
+}
