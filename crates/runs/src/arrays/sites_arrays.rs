@@ -141,9 +141,10 @@ pub(super) fn spin_start(shape: &[usize], given: &Given<'_>, random: &mut Direct
         return Ok(spins.to_vec());
     }
     let direction = given.vector("direction");
-    let Some(axis) = (direction / direction.amax()).try_normalize(0.0) else {
+    if direction == Vector3::zeros() {
         return Err(given.refused("direction", "different from 0".into()));
-    };
+    }
+    let axis = (direction / direction.amax()).normalize();
     let (waves, cone, tilt) = (given.values("waves"), given.number("cone"), given.number("tilt"));
     if given.has("waves") && waves.len() != shape.len() {
         let needed = format!("a number for each of {} axes, got {}", shape.len(), waves.len());

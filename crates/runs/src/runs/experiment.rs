@@ -189,7 +189,11 @@ impl Experiment {
     ) -> Result<(), E> {
         let (mut fill, mut row) = (self.rows(), Vec::new());
         self.visit_samples(from, &mut |sample| {
-            fill(&mut row, sample)?;
+            // The conserved quantities of a large system may take longer than a step.
+            match self.pace.keeps(sample.step) {
+                true => fill(&mut row, sample)?,
+                false => row.clear(),
+            }
             visit(&Moment { step: sample.step, row: &row, state: &sample.state })
         })
     }

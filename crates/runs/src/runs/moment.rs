@@ -8,7 +8,7 @@ use collective_integrators::AnyState;
 pub struct Moment<'a> {
     /// The number of steps made.
     pub step: u64,
-    /// The numbers of the row.
+    /// The numbers of the row; none at a moment that is not [written](crate::Pace::keeps).
     pub row: &'a [f64],
     /// The state that the integrator advances.
     pub(crate) state: &'a AnyState,

@@ -9,7 +9,8 @@ use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use lie_poisson_formulas::{Coordinates, Parameters};
 use lie_poisson_runs::contests::{Contest, TimedProblem};
 use lie_poisson_runs::{
-    Experiment, Model, RunFailure, Saved, Schedule, TangentGrowth, TopInAxes, step_angle,
+    Arguments, ArrayKind, Experiment, Model, RunFailure, Saved, Schedule, TangentGrowth, TopInAxes,
+    step_angle,
 };
 use nalgebra::Vector3;
 use std::collections::BTreeSet;
@@ -67,6 +68,14 @@ fn rod() -> TopInAxes {
     HeavyTop::new(&body).unwrap().into()
 }
 
+/// Tangent vectors of a fluid, whose products of matrices are of numbers alone.
+fn fluid_without_tangents() -> RunFailure {
+    let kind = ArrayKind::named("sphere-fluid").unwrap();
+    let fluid = kind.system(&Arguments::new().number("size", 4.0)).unwrap();
+    let method = fluid.method(None, SchemeName::Gauss(2), 0.0).unwrap();
+    fluid.tangent_integrator(&method, &[0.0; 16]).unwrap_err()
+}
+
 #[test]
 fn every_error_names_what_is_wrong() {
     let run = experiment("collective", "gauss-4", pace(0.1, 1.0, 1));
@@ -94,6 +103,7 @@ fn every_error_names_what_is_wrong() {
         (rod().start(&[0.1, 0.0, 0.3, 0.0, 0.0, 1.0]).unwrap_err(), "0.3"),
         (followed(&no_attitude, None), "direct has no attitude"),
         (followed(&no_body, None), "so(3) has no attitude"),
+        (fluid_without_tangents(), "sphere-fluid"),
         (followed(&short, None), "5"),
         (followed(&run, Some(&Saved { step: 1024, state: vec![0.0] })), "has 1 numbers"),
         (schedule(0.0, 1.0), "step must be finite and different from 0, got 0"),

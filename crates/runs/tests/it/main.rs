@@ -1,6 +1,8 @@
 //! Tests of runs, of their errors, and of the timing of integrators.
 #![allow(clippy::unwrap_used)]
 
+mod array_runs;
+mod array_systems;
 #[cfg(feature = "contests")]
 mod contests;
 #[cfg(feature = "contests")]

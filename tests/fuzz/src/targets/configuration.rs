@@ -57,7 +57,7 @@ pub(super) fn first_steps(config: &Config) -> Result<(), Error> {
     let mut run = config.run()?;
     run.pace.every = 1;
     let width = 1 + run.coordinates().iter().map(|(_, columns)| columns.len()).sum::<usize>();
-    let outcome = run.follow(None, |moment| see(&moment.row[..width]));
+    let outcome = run.follow(None, |moment| see(moment.row.get(..width).unwrap_or_default()));
     match outcome {
         Err(Error::NoCommand { names, .. }) if names.is_empty() => Ok(()),
         outcome => outcome,

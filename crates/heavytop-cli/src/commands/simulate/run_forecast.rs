@@ -34,8 +34,11 @@ pub fn dry_run(config: &Config, out: &Path) -> Result<Forecast, Error> {
     let width = table.width() as u64;
     let (begun, mut encoded, mut tried, mut rows) = (Instant::now(), Vec::new(), 1, 0_u64);
     let outcome = run.follow(None, |moment| {
-        format.append(moment.row, &mut encoded);
-        (tried, rows) = (moment.step.max(1), rows + 1);
+        if run.pace.keeps(moment.step) {
+            format.append(moment.row, &mut encoded);
+            rows += 1;
+        }
+        tried = moment.step.max(1);
         if begun.elapsed() > TRIAL { Err(Error::Interrupted { resume: None }) } else { Ok(()) }
     });
     let seconds = begun.elapsed().as_secs_f64() / tried as f64 * run.pace.schedule.steps as f64;

@@ -76,9 +76,9 @@ pub fn simulate(
     let (mut renewal, mut last) = (Renewal::new(options, run), Vec::new());
     let outcome = run.follow(saved.as_ref(), |moment| {
         progress.at(moment.step);
-        last.clear();
-        last.extend_from_slice(moment.row);
         if pace.keeps(moment.step) {
+            last.clear();
+            last.extend_from_slice(moment.row);
             deviations.add(table.invariant_values(moment.row));
             recording.append(moment.row)?;
         }

@@ -1,0 +1,283 @@
+//! Runs of systems of arrays: starts, resumption, threads, units, and what is refused.
+
+use crate::array_systems::{after, lattice, system};
+use heavytop::methods::{Formulation, SchemeName};
+use lie_poisson_runs::{
+    Arguments, ArrayKind, ArraySystem, Experiment, Model, Pace, RunFailure, Saved, Schedule,
+};
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+
+const SPHERICAL: (Option<Formulation>, SchemeName) =
+    (Some(Formulation::Reduced), SchemeName::SphericalMidpoint);
+
+fn experiment(
+    model: ArraySystem,
+    given: &Arguments,
+    (formulation, scheme): (Option<Formulation>, SchemeName),
+    pace: Pace,
+) -> Experiment<ArraySystem> {
+    let start = Model::start(&model, &model.start_of(given).unwrap()).unwrap();
+    let method = model.method(formulation, scheme, 0.0).unwrap();
+    Experiment { model, start, method, pace, attitude: false }
+}
+
+fn pace(step: f64, end: f64, every: u64) -> Pace {
+    Pace { schedule: Schedule::new(step, end).unwrap(), every }
+}
+
+/// Returns the rows that are written from a saved moment on.
+fn rows(run: &Experiment, from: Option<&Saved>) -> Vec<Vec<f64>> {
+    let mut rows = Vec::new();
+    run.follow(from, |moment| -> Result<(), RunFailure> {
+        assert_eq!(moment.row.is_empty(), !run.pace.keeps(moment.step));
+        if run.pace.keeps(moment.step) {
+            rows.push(moment.row.to_vec());
+        }
+        Ok(())
+    })
+    .unwrap();
+    rows
+}
+
+/// A run of a large system can be resumed after fewer steps than that of a small one, with the same bits, in each
+/// formulation.
+#[test]
+fn large_systems_are_resumed_to_the_same_bits() {
+    // 55 × 50 spins are 8250 coordinates; 2²² over that, as a power of two, is 256.
+    let model = || lattice(&[55.0, 50.0], 1.0);
+    assert_eq!(model().resumable_after(), 256);
+    assert_eq!(lattice(&[4.0], 1.0).resumable_after(), 1024);
+    let given = Arguments::new().number("tilt", 0.3);
+    for method in [SPHERICAL, (None, SchemeName::ImplicitMidpoint)] {
+        let run = experiment(model(), &given, method, pace(0.05, 13.6, 90));
+        let (mut saved, mut steps, mut all) = (None, Vec::new(), Vec::new());
+        run.follow(None, |moment| -> Result<(), RunFailure> {
+            steps.push(moment.step);
+            if run.pace.keeps(moment.step) {
+                all.push(moment.row.to_vec());
+            }
+            if moment.step == 256 {
+                saved = Some(moment.saved());
+            }
+            Ok(())
+        })
+        .unwrap();
+        let saved = saved.unwrap();
+        assert_eq!((saved.step, steps.last()), (256, Some(&272)), "{steps:?}");
+        let rest = rows(&run, Some(&saved));
+        assert_eq!((all.len(), rest.len()), (5, 2));
+        assert_eq!(all[3..], rest[..]);
+    }
+}
+
+/// Control: an integrator that knows its earlier steps does not give the same bits when it is resumed where it does not
+/// forget them.
+#[test]
+fn small_systems_remember_earlier_steps() {
+    let given = Arguments::new().number("tilt", 0.3);
+    let scheme = (None, SchemeName::Gauss(4));
+    let run = experiment(lattice(&[6.0], 1.0), &given, scheme, pace(0.3, 90.0, 100));
+    let mut saved = None;
+    run.follow(None, |moment| -> Result<(), RunFailure> {
+        if moment.step == 100 {
+            saved = Some(moment.saved());
+        }
+        Ok(())
+    })
+    .unwrap();
+    assert_ne!(rows(&run, None)[2..], rows(&run, saved.as_ref())[..]);
+}
+
+#[test]
+fn states_have_the_same_bits_on_any_number_of_threads() {
+    let spins = || {
+        let model = lattice(&[24.0, 24.0, 24.0], 1.0);
+        let start = model.start_of(&Arguments::new().number("tilt", PI)).unwrap();
+        [SPHERICAL, (None, SchemeName::Gauss(2))]
+            .map(|method| after(&model, &start, method, (0.05, 3)))
+    };
+    let vortices = || {
+        let strengths: Vec<f64> = (0..400).map(|i| 0.01 * f64::from(i % 7 - 3) + 0.005).collect();
+        let model = system("vortices", &Arguments::new().list("strengths", strengths));
+        let start = model.start_of(&Arguments::new().number("seed", 1.0)).unwrap();
+        after(&model, &start, (None, SchemeName::Gauss(2)), (0.01, 3))
+    };
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| (spins(), vortices()))
+    };
+    assert!(on(1) == on(3));
+}
+
+/// Spins have no unit: with c S, J/c and B the motion is the same, for c of any size.
+#[test]
+fn motions_do_not_depend_on_units() {
+    let state = |c: f64| {
+        let given = Arguments::new().list("shape", vec![4.0, 3.0]).number("exchange", 1.0 / c);
+        let model = system("spin-lattice", &given.list("field", vec![0.1, 0.0, 0.2]));
+        let start = model.start_of(&Arguments::new().number("tilt", 1.0)).unwrap();
+        let start: Vec<f64> = start.iter().map(|x| c * x).collect();
+        [SPHERICAL, (None, SchemeName::Gauss(4)), (Some(Formulation::Direct), SchemeName::Rk4)]
+            .map(|method| after(&model, &start, method, (0.1, 20)))
+    };
+    let expected = state(1.0);
+    for c in [1e-30, 1e30] {
+        for (one, other) in state(c).iter().zip(&expected) {
+            let equal = |(x, y): (&f64, &f64)| (x / c - y).abs() < 1e-12;
+            assert!(one.iter().zip(other).all(equal), "{c:e}");
+        }
+    }
+}
+
+/// Directions are uniformly distributed on the cap: the mean of the cosine is half of the range, and a seed gives one start.
+#[test]
+fn random_starts_are_uniform_and_determined_by_their_seed() {
+    let model = lattice(&[40.0, 50.0], 1.0);
+    let start = |tilt: f64, seed: f64| {
+        model.start_of(&Arguments::new().number("tilt", tilt).number("seed", seed)).unwrap()
+    };
+    for tilt in [1e-9_f64, 0.1, 1.0, PI] {
+        let spins = start(tilt, 1.0);
+        let spins: Vec<_> = spins.as_chunks::<3>().0.iter().map(|s| Vector3::from(*s)).collect();
+        assert!(spins.iter().all(|s| (s.norm() - 1.0).abs() < 1e-14));
+        let angle = |s: &Vector3<f64>| s.xy().norm().atan2(s.z);
+        assert!(spins.iter().all(|s| angle(s) <= tilt * (1.0 + 1e-12)));
+        // sin²(θ/2) is uniform between 0 and its value at the tilt. The mean of 2000 has a deviation of 1/155.
+        let part = |s: &Vector3<f64>| ((0.5 * angle(s)).sin() / (0.5 * tilt).sin()).powi(2);
+        let mean = spins.iter().map(part).sum::<f64>() / spins.len() as f64;
+        assert!((mean - 0.5).abs() < 4.0 / 155.0, "{tilt} {mean}");
+        let sum: Vector3<f64> = spins.iter().sum();
+        assert!(sum.xy().norm() < 4.0 * tilt.min(1.0) * (spins.len() as f64).sqrt());
+    }
+    assert_eq!(start(1.0, 2.0), start(1.0, 2.0));
+    assert_ne!(start(1.0, 2.0), start(1.0, 3.0));
+    // Vortices keep apart.
+    let vortices = system("vortices", &Arguments::new().list("strengths", vec![1.0; 300]));
+    let m = vortices.start_of(&Arguments::new()).unwrap();
+    let m: Vec<_> = m.as_chunks::<3>().0.iter().map(|x| Vector3::from(*x)).collect();
+    let nearest = (0..m.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let nearest = nearest.map(|(i, j)| (m[i] - m[j]).norm_squared()).fold(f64::INFINITY, f64::min);
+    assert!(nearest >= 2.0 / 300.0);
+}
+
+/// Which quantities are conserved depends on the symmetry: those that are named stay, and the others do not.
+#[test]
+fn the_names_of_invariants_follow_the_symmetry() {
+    let of = |given: &Arguments| {
+        let model = system(
+            "spin-lattice",
+            &given.clone().list("shape", vec![4.0, 3.0]).number("exchange", 1.0),
+        );
+        let start = model.start_of(&Arguments::new().number("tilt", 2.0)).unwrap();
+        let end = after(&model, &start, (None, SchemeName::Gauss(4)), (0.05, 100));
+        let conserved = model.conserved(&start);
+        let [before, later] = [&start, &end].map(|state| conserved.values(state).unwrap());
+        assert!(
+            before.iter().zip(&later).all(|(a, b)| (a - b).abs() < 1e-9),
+            "{before:?} {later:?}"
+        );
+        let total = |state: &[f64]| {
+            state.as_chunks::<3>().0.iter().map(|s| Vector3::from(*s)).sum::<Vector3<f64>>()
+        };
+        (conserved.names().join(" "), (total(&start) - total(&end)).norm())
+    };
+    let none = Arguments::new();
+    let along = none.clone().list("field", vec![0.3, 0.4, 0.0]);
+    assert_eq!(of(&none).0, "h M1 M2 M3 C");
+    let (names, moved) = of(&along);
+    assert!(names == "h M C" && moved > 0.1);
+    let axis = none.number("anisotropy", 0.5).list("axis", vec![0.0, 0.0, 2.0]);
+    assert_eq!(of(&axis).0, "h M C");
+    let both = axis.clone().list("field", vec![0.0, 0.0, -1.0]);
+    assert_eq!(of(&both).0, "h M C");
+    let (names, moved) = of(&axis.list("field", vec![0.1, 0.0, 1.0]));
+    assert!(names == "h C" && moved > 0.1);
+}
+
+#[test]
+fn what_does_not_fit_is_refused_with_what_is_needed() {
+    let spins = Arguments::new().list("shape", vec![3.0, 2.0]).number("exchange", 1.0);
+    let strengths = Arguments::new().list("strengths", vec![1.0, 2.0]);
+    let chain = Arguments::new().number("atoms", 4.0).number("exchange", 1.0);
+    let fluid = Arguments::new().number("size", 4.0);
+    let none = Arguments::new;
+    let parameters = [
+        ("spin-lattice", none(), "shape is wrong, missing"),
+        ("spin-lattice", spins.clone().number("J", 1.0), "J is wrong, missing or none"),
+        ("spin-lattice", spins.clone().number("field", 1.0), "field is wrong, missing"),
+        ("spin-lattice", spins.clone().list("shape", vec![2.5]), "got [2.5]"),
+        ("spin-lattice", spins.clone().list("shape", vec![1e5; 3]), "at most 268435456 spins"),
+        (
+            "spin-lattice",
+            spins.clone().list("exchange", vec![1.0; 3]),
+            "one for each of 2 axes, got 3",
+        ),
+        ("spin-lattice", spins.clone().list("bonds", vec![1.0; 3]), "rows of four numbers"),
+        (
+            "spin-lattice",
+            spins.clone().list("bonds", vec![0.5, 0.0, 0.0, 1.0]),
+            "whole numbers of cells",
+        ),
+        ("spin-lattice", spins.clone().list("axis", vec![0.0; 3]), "axis must not be zero"),
+        ("spin-lattice", spins.clone().number("anisotropy", f64::NAN), "finite, got NaN"),
+        ("vortices", strengths.clone().list("strengths", vec![1.0, 0.0]), "strength"),
+        ("vibrating-lattice", chain.clone().number("atoms", 2.0), "from 3 to 16777216, got 2"),
+        ("vibrating-lattice", chain.clone().number("mass", 0.0), "positive, got 0"),
+        ("vibrating-lattice", chain.clone().number("stiffness", -1.0), "0 or positive, got -1"),
+        ("sphere-fluid", none().number("size", 1.0), "from 2 to 2048, got 1"),
+    ];
+    for (kind, given, said) in parameters {
+        let error = ArrayKind::named(kind).unwrap().system(&given).unwrap_err().to_string();
+        assert!(error.contains(said) && error.contains(kind), "{error}");
+    }
+    let starts = [
+        (
+            "spin-lattice",
+            &spins,
+            none().list("S", vec![1.0; 17]),
+            "array of shape [3, 2, 3], got 17",
+        ),
+        ("spin-lattice", &spins, none().list("S", vec![0.0; 18]), "number 1 is 0"),
+        ("spin-lattice", &spins, none().list("direction", vec![0.0; 3]), "different from 0"),
+        ("spin-lattice", &spins, none().list("waves", vec![1.0]), "each of 2 axes, got 1"),
+        ("spin-lattice", &spins, none().number("tilt", 4.0), "from 0 to pi, got 4"),
+        ("spin-lattice", &spins, none().number("seed", 0.5), "a whole number from 0 to"),
+        (
+            "vortices",
+            &strengths,
+            none().list("positions", vec![1.0; 3]),
+            "each of 2 vortices, got 3",
+        ),
+        ("vortices", &strengths, none().list("positions", vec![1.0; 6]), "number 1 is 1.7"),
+        (
+            "vortices",
+            &strengths,
+            none().list("m", vec![1.0, 0.0, 0.0, 1.0, 0.0, 0.0]),
+            "number 2 is 0.5",
+        ),
+        ("vibrating-lattice", &chain, none().list("q", vec![1.0; 3]), "each of 4 atoms, got 3"),
+        ("sphere-fluid", &fluid, none(), "rows of four numbers"),
+        ("sphere-fluid", &fluid, none().list("omega", vec![1.0; 15]), "shape [4, 4], got 15"),
+        (
+            "sphere-fluid",
+            &fluid,
+            none().list("degrees", vec![1.0, 4.0]),
+            "from 0 to 3, got [1.0, 4.0]",
+        ),
+        (
+            "sphere-fluid",
+            &fluid,
+            none().list("coefficients", vec![1.0, 2.0, 1.0, 0.0]),
+            "m from 0 to l, got 1 and 2",
+        ),
+    ];
+    for (kind, parameters, given, said) in starts {
+        let error = system(kind, parameters).start_of(&given).unwrap_err().to_string();
+        assert!(error.contains(said) && error.contains(kind), "{error}");
+    }
+    let error =
+        lattice(&[3.0], 1.0).method(Some(Formulation::Splitting), SchemeName::Gauss(4), 0.0);
+    assert!(error.unwrap_err().to_string().ends_with("it has collective, reduced, direct"));
+    assert!(Model::start(&lattice(&[3.0], 1.0), &[0.0; 8]).is_err());
+}
