@@ -1,6 +1,7 @@
 //! Systems that a configuration describes by an algebra and a formula.
 
 mod kinds_of_systems;
+mod systems_of_arrays;
 mod system_sections;
 mod system_sweeps;
 mod systems;

@@ -6,6 +6,7 @@ use heavytop_cli::Error;
 use heavytop_cli::commands::animate::animate;
 use heavytop_cli::commands::bench::{Bench, BenchOptions, bench};
 use heavytop_cli::commands::compare::compare;
+use heavytop_cli::commands::plot::plot;
 use heavytop_cli::commands::reproduce::reproduce;
 use heavytop_cli::commands::simulate::{Checkpoint, SimulateOptions, simulate};
 use heavytop_cli::commands::sweep::sweep;
@@ -20,7 +21,10 @@ use std::process::Command;
 
 pub fn errors() -> BTreeSet<String> {
     let folder = Folder::new();
-    [of_files(&folder), of_numbers(&folder), of_others(&folder)].into_iter().flatten().collect()
+    [of_files(&folder), of_arrays(&folder), of_numbers(&folder), of_others(&folder)]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 fn config(text: &str) -> Config {
@@ -50,6 +54,43 @@ fn of_files(folder: &Folder) -> BTreeSet<String> {
         refused("Error::OutputIsInput", over_input),
         refused("Error::FolderIsStream", reproduce("-".as_ref(), 0.02, 1.0, &watch)),
         refused("Error::Unwritable", config_of_too_large_a_number().to_toml()),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// A lattice of spins, with its start.
+const SPINS: &str = "[system]\nkind = 'spin-lattice'\nparameters = { shape = [6000] }\n";
+
+fn of_arrays(folder: &Folder) -> BTreeSet<String> {
+    let watch = Watch::default();
+    let options = SimulateOptions::default();
+    let with = |start: &str| config(&format!("{SPINS}{start}\n[integrator]\nend = 0.1\n"));
+    let drawn =
+        |run: &str, out: &str| plot(&folder.path(run), &folder.path(out), (None, None), &watch);
+    simulate(&config("integrator.end = 0.1"), &folder.path("top.npz"), &options).unwrap();
+    let file = folder.path("top.npz");
+    let from = |checksum: &str| with(&format!("initial_file = '{}'\n{checksum}", file.display()));
+    folder.write("text.npz", "");
+    let other_shape = folder.path("five.ovf");
+    folder.write("five.ovf", "# OOMMF OVF 2.0\n# Begin: Data Text\n");
+    [
+        refused(
+            "Error::TooWide",
+            simulate(&with("initial.tilt = 1"), &folder.path("w.csv"), &options),
+        ),
+        refused("Error::NoPicture", drawn("top.npz", "a.gif")),
+        refused("SystemTableError::NoArrays", drawn("top.npz", "a.png")),
+        refused("FieldFileError::Read", drawn("missing.npz", "a.png")),
+        refused("FieldFileError::Format", drawn("text.npz", "a.png")),
+        refused("FieldFileError::NoArray", from("").run()),
+        refused(
+            "Error::FieldFile",
+            with(&format!("initial_file = '{}'", other_shape.display())).run(),
+        ),
+        refused("SystemTableError::TwoStarts", from("initial.tilt = 1").run()),
+        refused("SystemTableError::OtherStart", from("initial_checksum = 1").run()),
     ]
     .into_iter()
     .flatten()

@@ -34,7 +34,7 @@ const RUNS: [(&str, &str); 12] = [
 ];
 
 /// Configurations of runs of systems, below `[system]`.
-const SYSTEMS: [(&str, &str); 8] = [
+const SYSTEMS: [(&str, &str); 10] = [
     ("SystemTableError::Missing", "algebra = 'so(3)'"),
     (
         "SystemTableError::TwoAlgebras",
@@ -47,6 +47,11 @@ const SYSTEMS: [(&str, &str); 8] = [
     ),
     ("SystemTableError::Parameter", "algebra = 'so(3)'\nhamiltonian = 'Pi1'\nparameters.'1' = 1"),
     ("SystemTableError::Formula", "algebra = 'so(3)'\nhamiltonian = 'x'"),
+    ("SystemTableError::OnlySimulated", "kind = 'sphere-fluid'"),
+    (
+        "SystemTableError::NoStartFile",
+        "algebra = 'so(3)'\nhamiltonian = 'Pi1'\ninitial_file = 'a.npz'",
+    ),
     ("SystemTableError::NoAttitude", "hamiltonian = '1'\n[output]\nattitude = true"),
     ("SystemTableError::Top", "hamiltonian = '1'\n[body]\nmass = 2"),
 ];
