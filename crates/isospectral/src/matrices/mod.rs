@@ -3,5 +3,6 @@
 mod tiles;
 pub(crate) mod large_matrix;
 pub(crate) mod skew_hermitian;
+mod clean_registers;
 pub(crate) mod products;
 mod exponential;

@@ -1,5 +1,6 @@
 //! Products of complex matrices of any size: [`Products`].
 
+use crate::matrices::clean_registers::clean_registers;
 use crate::matrices::large_matrix::LargeMatrix;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
 use crate::matrices::tiles::{for_pairs, mirror};
@@ -175,6 +176,7 @@ impl Products {
             let [left, right] = [left, right].map(|x| MatRef::from_column_major_slice(x, n, n));
             multiply(left, right, MatMut::from_column_major_slice_mut(product, n, n), alpha);
         }
+        clean_registers();
     }
 
     /// Writes the complex product of the three real ones. Returns its size.

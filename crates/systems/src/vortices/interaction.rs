@@ -2,6 +2,7 @@
 
 use crate::error::{SystemError, require_finite};
 use core::f64::consts::PI;
+use core::ops::Range;
 use lie_poisson::{Real, State};
 use nalgebra::Vector3;
 
@@ -14,14 +15,23 @@ pub(crate) fn require_strength(value: f64) -> Result<(), SystemError> {
 
 /// Returns h = (1/4π) Σ_ij k_i k_j ln(2 − 2 x_i·x_j), i < j, for the strengths k and the positions x.
 pub(crate) fn energy<T: Real>(strengths: &[f64], x: impl Fn(usize) -> Vector3<T>) -> T {
+    pairs(strengths, x, 0..strengths.len()) / (4.0 * PI)
+}
+
+/// Returns Σ_ij k_i k_j ln(2 − 2 x_i·x_j), j < i, for the numbers i of a range.
+pub(crate) fn pairs<T: Real>(
+    strengths: &[f64],
+    x: impl Fn(usize) -> Vector3<T>,
+    range: Range<usize>,
+) -> T {
     let mut sum = T::zero();
-    for (i, k_i) in strengths.iter().enumerate() {
-        let x_i = x(i);
+    for i in range {
+        let (x_i, k_i) = (x(i), strengths[i]);
         for (j, k_j) in strengths[..i].iter().enumerate() {
             sum += (-x_i.dot(&x(j)) * 2.0 + 2.0).ln() * (k_i * k_j);
         }
     }
-    sum / (4.0 * PI)
+    sum
 }
 
 /// Adds dh/dm_i = −(1/4π) Σ_j k_j x_j/(1 − x_i·x_j), j ≠ i, to the i-th vector, by one evaluation for each pair.

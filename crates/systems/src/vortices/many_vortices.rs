@@ -1,7 +1,7 @@
 //! Point vortices on the sphere, whose number is known only when the program runs.
 
 use crate::error::SystemError;
-use crate::vortices::interaction::{add_differential, energy, require_strength};
+use crate::vortices::interaction::{add_differential, pairs, require_strength};
 use crate::vortices::lane_interaction::Interaction;
 use crate::vortices::sources::{BLOCK, Sources};
 use collective_integrators::{StoragePool, VectorField};
@@ -9,7 +9,7 @@ use core::f64::consts::PI;
 use lie_poisson::generic_scalars::{InstructionSet, MissingInstructions, Width, dispatch};
 use lie_poisson::{Covector, Real, Sites, SitesHamiltonian, State, Vector};
 use nalgebra::Vector3;
-use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 
 /// N point vortices on the unit sphere, with a number N that is known only when the program runs.
@@ -140,6 +140,9 @@ impl ManyVortices {
     }
 }
 
+/// The number of vortices whose pairs with those before them are a task of the energy.
+const ROWS: usize = 64;
+
 /// Returns the number of vortices of a task, a multiple of [`BLOCK`] and at least that.
 fn task_size(count: usize) -> usize {
     (TASK / count.max(1)).max(1).next_multiple_of(BLOCK)
@@ -150,8 +153,13 @@ impl<T: Real> SitesHamiltonian<Vector3<T>> for ManyVortices {
         if m.0.len() != self.strengths.len() {
             return T::from_f64(f64::NAN);
         }
-        let x: Vec<_> = self.positions(m).collect();
-        energy(&self.strengths, |i| x[i])
+        let (x, count): (Vec<_>, _) = (self.positions(m).collect(), m.0.len());
+        // Sums of so many vortices each, on all threads, are added in their order: the number of threads is of no account.
+        let starts: Vec<usize> = (0..count).step_by(ROWS).collect();
+        let sum =
+            |start: &usize| pairs(&self.strengths, |i| x[i], *start..(start + ROWS).min(count));
+        let sums: Vec<T> = starts.par_iter().map(sum).collect();
+        sums.into_iter().fold(T::zero(), |all, sum| all + sum) / (4.0 * PI)
     }
 
     /// Writes dh/dm_i: for few vortices by one evaluation for each pair, for many on SIMD lanes and threads.
