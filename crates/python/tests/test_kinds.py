@@ -1,6 +1,7 @@
 """Systems of the library by their classes, and algebras by expression."""
 
 import pickle
+import subprocess
 
 import numpy as np
 import pytest
@@ -146,3 +147,40 @@ def test_algebras_by_expression():
 def test_what_is_refused(make, message):
     with pytest.raises(ValueError, match=message):
         make()
+
+
+@pytest.mark.parametrize(
+    ("kind", "parameters", "initial"),
+    [
+        ("body-in-fluid", {"inertia": [2, 2.5, 3], "masses": [3, 1.5, 2]}, {"Pi": [1, 0.5, 0.2], "P": [0.3, 1, 0]}),
+        ("body-with-rotors", {"I": [1, 2, 3], "J": [0.1, 0.2]}, {"Pi": [0.3, 1, 0.2], "l": [0.2, 0.1]}),
+        ("elliptical-vortex", {"strength": 1, "strain": 0.05}, {"a": 1.5, "b": 0.5, "angle": 0.3}),
+        (
+            "gyrostat",
+            {"inertia": [2, 2, 1], "weight": 1, "center_of_mass": [0, 0, 1], "rotor": [0, 0, 2]},
+            {"Pi": [0.5, 0, 3], "Gamma": [0.6, 0, 0.8]},
+        ),
+        ("rigid-body", {"moments": [1, 1.5, 2]}, {"Pi": [1, 0.2, -0.3]}),
+        ("spin-chain", {"spins": 2, "exchange": 1}, {"S_1": [1, 0, 0], "S_2": [0, 0.6, 0.8]}),
+        (
+            "top-on-base",
+            {"inertia": [2, 2, 1], "mass": 0.8, "base_mass": 1.3, "gravity": 9.8, "center_of_mass": [0, 0, 0.5]},
+            {"Pi": [0.5, 0, 5], "P": [0.1, 0, 0], "Gamma": [0.6, 0, 0.8]},
+        ),
+        ("vortices", {"strengths": [1, -0.7]}, {"positions": [[1, 0, 0], [0, 0.6, 0.8]]}),
+    ],
+)
+def test_the_program_computes_the_same_bytes(program, tmp_path, kind, parameters, initial):
+    def table(values):
+        return "{ " + ", ".join(f"{name} = {value}" for name, value in values.items()) + " }"
+
+    text = f"[system]\nkind = '{kind}'\nparameters = {table(parameters)}\ninitial = {table(initial)}\n"
+    (tmp_path / "a.toml").write_text(text + "[integrator]\nstep = 0.05\nend = 2\n")
+    arguments = [program, "simulate", tmp_path / "a.toml", "--out", tmp_path / "a.csv", "--quiet"]
+    subprocess.run(arguments, check=True)
+    table_of_program = np.loadtxt(tmp_path / "a.csv", delimiter=",", skiprows=1)
+    run = System(kind=kind, parameters=parameters).solve(initial, step=0.05, end=2)
+    assert (table_of_program[:, 0] == run.t).all()
+    d = run.y.shape[0]
+    assert (table_of_program[:, 1 : d + 1] == run.y.T).all()
+    assert (table_of_program[:, d + 1 :] == np.stack(list(run.invariants.values()), axis=1)).all()
