@@ -64,6 +64,7 @@ mod vocabulary;
 pub mod errors;
 #[doc(hidden)]
 pub mod files;
+mod fields;
 pub mod runs;
 pub mod configuration;
 #[doc(hidden)]

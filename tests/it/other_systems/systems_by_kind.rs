@@ -191,7 +191,7 @@ fn systems_of_the_catalogue_are_what_they_say() {
                 ParameterShape::Vector(count) => all.vector(parameter.name, &vec![1.5; count]),
                 ParameterShape::List => all.vector(parameter.name, &[1.5; 4]),
                 // The number of spins is a whole one, and a small mass leaves the moments positive.
-                ParameterShape::Number => {
+                ParameterShape::Number | ParameterShape::NumberOrList => {
                     all.number(parameter.name, if parameter.name == "mass" { 0.1 } else { 2.0 })
                 }
             }

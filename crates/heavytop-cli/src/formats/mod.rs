@@ -1,7 +1,6 @@
 //! The formats of outputs: CSV, NumPy's npz, Parquet.
 
 pub(crate) mod run_table;
-pub(crate) mod fields;
 mod extent;
 mod metadata;
 mod rows;

@@ -2,12 +2,9 @@
 
 use super::arguments::{Arguments, Given};
 use super::array_system::ArraySystem;
-use super::arrays::Arrays;
+use super::arrays::Made;
 use super::systems::{many_vortices, sphere_fluid, spin_lattice, vibrating_lattice};
 use lie_poisson_formula_systems::{FormulaSystemError, Parameter};
-
-/// The system that parameters describe.
-pub(super) type Made = Result<Box<dyn Arrays>, FormulaSystemError>;
 
 /// A system by name whose states are arrays of any size: what its parameters are, and what a start is given by.
 ///
@@ -82,6 +79,7 @@ impl ArrayKind {
         parameters: &Arguments,
     ) -> Result<ArraySystem, FormulaSystemError> {
         let given = Given::new(self.name, self.parameters, parameters)?;
-        Ok(ArraySystem::new(self, (self.make)(&given)?))
+        let Self { name, about, start, .. } = *self;
+        Ok(ArraySystem::new((name, about), start, (self.make)(&given)?))
     }
 }

@@ -1,7 +1,6 @@
 //! A system whose states are arrays, as a model: [`ArraySystem`].
 
 use super::arguments::{Arguments, Given};
-use super::array_kind::ArrayKind;
 use super::arrays::Arrays;
 use super::renewed::resumable_after;
 use crate::error::RunFailure;
@@ -11,24 +10,37 @@ use collective_integrators::diagnostics::SystemScales;
 use collective_integrators::{AnyIntegrator, AnyTangents};
 use core::ops::Range;
 use heavytop::methods::{Formulation, Method, SchemeName};
-use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_formula_systems::{FormulaSystemError, Parameter};
 
-/// A system of an [`ArrayKind`], of a size that is known only when the program runs.
+/// A system of an [`ArrayKind`](crate::ArrayKind), of a size that is known only when the program runs.
 #[derive(Debug)]
 pub struct ArraySystem {
-    kind: &'static ArrayKind,
+    /// The name, and what the system is in a few words.
+    about: (&'static str, &'static str),
+    /// What a start is given by.
+    start: &'static [Parameter],
     system: Box<dyn Arrays>,
 }
 
 impl ArraySystem {
-    pub(super) fn new(kind: &'static ArrayKind, system: Box<dyn Arrays>) -> Self {
-        Self { kind, system }
+    pub(super) fn new(
+        about: (&'static str, &'static str),
+        start: &'static [Parameter],
+        system: Box<dyn Arrays>,
+    ) -> Self {
+        Self { about, start, system }
     }
 
-    /// Returns the kind of system.
+    /// Returns the name of the kind of system.
     #[must_use]
-    pub fn kind(&self) -> &'static ArrayKind {
-        self.kind
+    pub fn name(&self) -> &'static str {
+        self.about.0
+    }
+
+    /// Returns what the system is, in a few words.
+    #[must_use]
+    pub fn about(&self) -> &'static str {
+        self.about.1
     }
 
     /// Returns the arrays of a state, one after the other: the name and the shape of each, whose last index is the fastest.
@@ -43,12 +55,12 @@ impl ArraySystem {
         self.system.arrays().iter().map(|array| array.count()).sum()
     }
 
-    /// Returns the state that is given by the [parameters of a start](ArrayKind::start), in the arrays of the users.
+    /// Returns the state that is given by the [parameters of a start](crate::ArrayKind::start), in the arrays of the users.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError`] as [`ArrayKind::system`] does.
+    /// Returns [`FormulaSystemError`] as [`ArrayKind::system`](crate::ArrayKind::system) does.
     pub fn start_of(&self, given: &Arguments) -> Result<Vec<f64>, FormulaSystemError> {
-        self.system.start(&Given::new(self.kind.name, self.kind.start, given)?)
+        self.system.start(&Given::new(self.name(), self.start, given)?)
     }
 
     /// Returns the rate dμ/dt of a state, both in the arrays of the users.
@@ -100,7 +112,7 @@ impl ArraySystem {
         } else {
             return Ok(Method::of_system(formulation, scheme, tolerance)?);
         };
-        let algebra = self.kind.name.into();
+        let algebra = self.name().into();
         Err(FormulaSystemError::NoMethod { algebra, formulation, scheme, has })
     }
 }

@@ -7,6 +7,9 @@ use core::fmt;
 use heavytop::methods::{Formulation, Method, SchemeName};
 use lie_poisson_formula_systems::FormulaSystemError;
 
+/// The system that parameters describe.
+pub(super) type Made = Result<Box<dyn Arrays>, FormulaSystemError>;
+
 /// An array of a state: its name, and its shape, the last index of which is the fastest.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct ArrayShape {

@@ -2,10 +2,10 @@
 
 use super::export_summary::ExportSummary;
 use crate::errors::{Error, FieldFileError};
+use crate::fields::archive::Archive;
+use crate::fields::field_file::failed;
+use crate::fields::{image_data, ovf};
 use crate::files::{Kind, Output, contains};
-use crate::formats::fields::archive::Archive;
-use crate::formats::fields::field_file::failed;
-use crate::formats::fields::{image_data, ovf};
 use crate::supervision::{Progress, Watch};
 use clap::ValueEnum;
 use std::fs;

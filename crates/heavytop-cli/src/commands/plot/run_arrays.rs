@@ -2,8 +2,8 @@
 
 use crate::configuration::Config;
 use crate::errors::{Error, FieldFileError, SystemTableError};
-use crate::formats::fields::archive::Archive;
-use crate::formats::fields::field_file::failed;
+use crate::fields::archive::Archive;
+use crate::fields::field_file::failed;
 use crate::pictures::caption;
 use heavytop::methods::SchemeName;
 use lie_poisson_runs::ArraySystem;
@@ -85,13 +85,12 @@ impl RunArrays {
 
     /// Returns the parts of a caption: what the system is, and the method.
     pub(super) fn caption(&self, what: String) -> Vec<String> {
-        let kind = self.system.kind();
         let integrator = self.config.integrator;
         let formulation = integrator.formulation.or(self.system.formulations().first().copied());
         let scheme = integrator.scheme.unwrap_or(SchemeName::default());
         let step = integrator.step.unwrap_or(crate::configuration::Integration::default().step);
         vec![
-            kind.about.to_owned(),
+            self.system.about().to_owned(),
             caption::method(formulation.unwrap_or_default(), scheme, step),
             what,
         ]

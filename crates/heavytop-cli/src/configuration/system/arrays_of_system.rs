@@ -4,7 +4,7 @@ use super::numbers::Numbers;
 use super::system_config::SystemConfig;
 use crate::configuration::{Integration, IntegratorConfig};
 use crate::errors::{Error, SystemTableError};
-use crate::formats::fields::field_file::{checksum, last};
+use crate::fields::field_file::{checksum, last};
 use crate::runs::{Experiment, Pace, Schedule};
 use lie_poisson_runs::step_angle::require_sane_step;
 use lie_poisson_runs::{Arguments, ArrayKind, ArraySystem};

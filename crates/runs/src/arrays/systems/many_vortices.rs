@@ -1,7 +1,7 @@
 //! Point vortices on the sphere, more than a formula can have.
 
 use crate::arrays::arguments::Given;
-use crate::arrays::array_kind::Made;
+use crate::arrays::arrays::Made;
 use crate::arrays::directions::Directions;
 use crate::arrays::sites::{SitesSystem, numbers};
 use crate::arrays::sites_arrays::{SitesArrays, Started};

@@ -1,8 +1,7 @@
 //! An ideal fluid on the sphere.
 
 use crate::arrays::arguments::{Given, whole};
-use crate::arrays::array_kind::Made;
-use crate::arrays::arrays::{ArrayShape, Arrays};
+use crate::arrays::arrays::{ArrayShape, Arrays, Made};
 use crate::arrays::directions::Directions;
 use crate::arrays::renewed::{Renewed, resumable_after};
 use crate::arrays::sites_arrays::Started;

@@ -1,7 +1,7 @@
 //! A lattice of classical spins.
 
 use crate::arrays::arguments::{Given, whole};
-use crate::arrays::array_kind::Made;
+use crate::arrays::arrays::Made;
 use crate::arrays::directions::Directions;
 use crate::arrays::sites::SitesSystem;
 use crate::arrays::sites_arrays::{SitesArrays, spin_start};

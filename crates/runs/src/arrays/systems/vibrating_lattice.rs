@@ -1,8 +1,7 @@
 //! Spins on a chain of moving atoms.
 
 use crate::arrays::arguments::Given;
-use crate::arrays::array_kind::Made;
-use crate::arrays::arrays::{ArrayShape, Arrays};
+use crate::arrays::arrays::{ArrayShape, Arrays, Made};
 use crate::arrays::directions::Directions;
 use crate::arrays::renewed::{Renewed, resumable_after};
 use crate::arrays::sites::{momenta, total};
