@@ -33,6 +33,7 @@
 //! | what all systems are here, or a system of your own | [`Model`], [`Conserved`] |
 //! | the model of a top | [`TopInAxes`] |
 //! | the model of a system by formula | [`FormulaSystem`](lie_poisson_formula_systems::FormulaSystem) |
+//! | a lattice of spins, a fluid on the sphere, any number of vortices, by name | [`ArrayKind`], [`ArraySystem`], [`Arguments`] |
 //! | the rows of a run one by one | [`Experiment`] |
 //! | equal steps to an end, and which of them are written | [`Schedule`], [`Pace`] |
 //! | how tangent vectors grow: Lyapunov exponent, MEGNO, alignment | [`TangentGrowth`] |

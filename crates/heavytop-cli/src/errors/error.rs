@@ -41,7 +41,7 @@ pub enum Error {
         /// The path of the file.
         path: PathBuf,
         /// What is wrong with it.
-        source: FieldFileError,
+        source: Box<FieldFileError>,
     },
     /// CSV and Parquet would have too many columns.
     #[error(

@@ -45,5 +45,5 @@ pub(crate) fn ending(path: &Path) -> Option<String> {
 
 /// Returns the error of a file.
 pub(crate) fn failed(path: &Path, source: FieldFileError) -> Error {
-    Error::FieldFile { path: path.into(), source }
+    Error::FieldFile { path: path.into(), source: Box::new(source) }
 }

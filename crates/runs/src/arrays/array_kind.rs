@@ -1,8 +1,8 @@
 //! A system of arrays by name: [`ArrayKind`].
 
+use super::any_arrays::Made;
 use super::arguments::{Arguments, Given};
 use super::array_system::ArraySystem;
-use super::arrays::Made;
 use super::systems::{many_vortices, sphere_fluid, spin_lattice, vibrating_lattice};
 use lie_poisson_formula_systems::{FormulaSystemError, Parameter};
 

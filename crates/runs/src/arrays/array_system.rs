@@ -1,7 +1,7 @@
 //! A system whose states are arrays, as a model: [`ArraySystem`].
 
+use super::any_arrays::Arrays;
 use super::arguments::{Arguments, Given};
-use super::arrays::Arrays;
 use super::renewed::resumable_after;
 use crate::error::RunFailure;
 use crate::models::conserved::Conserved;

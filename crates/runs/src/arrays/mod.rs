@@ -3,7 +3,7 @@
 pub(crate) mod arguments;
 pub(crate) mod array_kind;
 pub(crate) mod array_system;
-mod arrays;
+mod any_arrays;
 mod directions;
 mod renewed;
 mod sites;

@@ -1,7 +1,7 @@
 //! Spins and vortices as a system of arrays: [`SitesArrays`].
 
+use super::any_arrays::{ArrayShape, Arrays};
 use super::arguments::Given;
-use super::arrays::{ArrayShape, Arrays};
 use super::directions::{Directions, on_cone};
 use super::sites::{SitesSystem, momenta, numbers, total};
 use crate::error::RunFailure;

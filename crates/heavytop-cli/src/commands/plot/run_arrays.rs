@@ -5,7 +5,6 @@ use crate::errors::{Error, FieldFileError, SystemTableError};
 use crate::fields::archive::Archive;
 use crate::fields::field_file::failed;
 use crate::pictures::caption;
-use heavytop::methods::SchemeName;
 use lie_poisson_runs::ArraySystem;
 use std::path::{Path, PathBuf};
 
@@ -87,7 +86,7 @@ impl RunArrays {
     pub(super) fn caption(&self, what: String) -> Vec<String> {
         let integrator = self.config.integrator;
         let formulation = integrator.formulation.or(self.system.formulations().first().copied());
-        let scheme = integrator.scheme.unwrap_or(SchemeName::default());
+        let scheme = integrator.scheme.unwrap_or_default();
         let step = integrator.step.unwrap_or(crate::configuration::Integration::default().step);
         vec![
             self.system.about().to_owned(),

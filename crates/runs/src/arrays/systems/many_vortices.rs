@@ -1,7 +1,7 @@
 //! Point vortices on the sphere, more than a formula can have.
 
+use crate::arrays::any_arrays::Made;
 use crate::arrays::arguments::Given;
-use crate::arrays::arrays::Made;
 use crate::arrays::directions::Directions;
 use crate::arrays::sites::{SitesSystem, numbers};
 use crate::arrays::sites_arrays::{SitesArrays, Started};
@@ -82,7 +82,7 @@ fn start(vortices: &SitesArrays, given: &Given<'_>) -> Started {
     let scale = |i: usize| if name == "m" { system.strengths()[i].abs() } else { 1.0 };
     for (i, x) in vectors.iter().enumerate() {
         let length = x.norm() / scale(i);
-        if !((length - 1.0).abs() <= ON_SPHERE) {
+        if (length - 1.0).abs() > ON_SPHERE {
             let needed =
                 format!("points of the unit sphere; the distance of number {} is {length}", i + 1);
             return Err(given.refused(name, needed));

@@ -1,7 +1,7 @@
 //! An ideal fluid on the sphere.
 
+use crate::arrays::any_arrays::{ArrayShape, Arrays, Made};
 use crate::arrays::arguments::{Given, whole};
-use crate::arrays::arrays::{ArrayShape, Arrays, Made};
 use crate::arrays::directions::Directions;
 use crate::arrays::renewed::{Renewed, resumable_after};
 use crate::arrays::sites_arrays::Started;
@@ -195,7 +195,7 @@ impl Arrays for SphereFluid {
             omega = VorticityCoefficients::from_fn(n, |l, m| omega.at(l, m) * factor);
         }
         let rows = given.values("coefficients");
-        if rows.len() % 4 != 0 || !given.has("degrees") && !given.has("coefficients") {
+        if !rows.len().is_multiple_of(4) || !given.has("degrees") && !given.has("coefficients") {
             let needed =
                 format!("rows of four numbers, [l, m, re, im], got {} numbers", rows.len());
             return Err(given.refused("coefficients", needed));

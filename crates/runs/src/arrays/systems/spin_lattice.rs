@@ -1,7 +1,7 @@
 //! A lattice of classical spins.
 
+use crate::arrays::any_arrays::Made;
 use crate::arrays::arguments::{Given, whole};
-use crate::arrays::arrays::Made;
 use crate::arrays::directions::Directions;
 use crate::arrays::sites::SitesSystem;
 use crate::arrays::sites_arrays::{SitesArrays, spin_start};
@@ -82,7 +82,7 @@ pub(in crate::arrays) fn make(given: &Given<'_>) -> Made {
         }
     }
     let bonds = given.values("bonds");
-    if bonds.len() % 4 != 0 {
+    if !bonds.len().is_multiple_of(4) {
         let needed = format!("rows of four numbers, [d1, d2, d3, J], got {} numbers", bonds.len());
         return Err(given.refused("bonds", needed));
     }

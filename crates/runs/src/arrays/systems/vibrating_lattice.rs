@@ -1,7 +1,7 @@
 //! Spins on a chain of moving atoms.
 
+use crate::arrays::any_arrays::{ArrayShape, Arrays, Made};
 use crate::arrays::arguments::Given;
-use crate::arrays::arrays::{ArrayShape, Arrays, Made};
 use crate::arrays::directions::Directions;
 use crate::arrays::renewed::{Renewed, resumable_after};
 use crate::arrays::sites::{momenta, total};
@@ -51,10 +51,10 @@ pub(in crate::arrays) fn make(given: &Given<'_>) -> Made {
     let count = given.whole("atoms", [3, MOST])?;
     let [mass, stiffness, exchange, coupling] =
         ["mass", "stiffness", "exchange", "coupling"].map(|name| given.number(name));
-    if !(mass > 0.0) {
+    if mass <= 0.0 {
         return Err(given.refused("mass", format!("positive, got {mass}")));
     }
-    if !(stiffness >= 0.0) {
+    if stiffness < 0.0 {
         return Err(given.refused("stiffness", format!("0 or positive, got {stiffness}")));
     }
     Ok(Box::new(Chain { count, mass, stiffness, exchange, coupling }))
