@@ -181,13 +181,14 @@ A kind without parameters is refused with their meaning and units.
 Systems of arrays, of any size, which only simulate runs; * as above. FILE.npz has one array a
 quantity, and heavytop plot draws it, heavytop export writes it for ParaView and OOMMF:
   spin-lattice        shape of one to three axes, exchange*, bonds*, anisotropy*, axis*, field*;
-                      array S of shape (..., 3); initial S, or direction*, waves*, cone*, tilt*, seed*
+                      array S of shape (..., 3); initial S, or direction*, waves*, cone*, tilt*,
+                      seed*
   vibrating-lattice   atoms, exchange, mass*, stiffness*, coupling*; S, q, p; initial as S, and q*, p*
   sphere-fluid        size, rotation*; omega of shape (N, N), Re of (l, m) at [l, m], Im at [m-1, l];
                       initial coefficients, rows [l, m, re, im], or degrees, rms*, seed*
   vortices            more than 48 strengths; m of shape (N, 3); initial positions, or seed*
-initial_file = \"FILE.npz\" instead of initial starts from the last sample of an archive, an OVF file,
-or arrays that NumPy has saved. The default is collective, for fluids reduced; reduced with the
+initial_file = \"FILE.npz\" instead of initial starts from the last sample of an archive, from an OVF
+file, or from arrays that NumPy has saved. The default is collective, for fluids reduced; reduced with the
 scheme spherical-midpoint is the fastest for large lattices.
 
 Algebras, of up to 256 dimensions, with their coordinates: so(3) Pi; su(2), su(n) mu; sl(2) alpha,
