@@ -76,7 +76,7 @@
 //!
 //! # Features and versions
 //!
-//! The crate has no features. The oldest supported compiler is Rust 1.89. Products are made by [`faer`], on one thread.
+//! The crate has no features. The oldest supported compiler is Rust 1.89. Products are made by the crate `gemm`, on one thread.
 //! It uses the instructions that the processor has, so that the last digits of a step depend on the processor.
 //!
 //! # Related crates
@@ -98,7 +98,6 @@ pub use methods::gauss_magnus::{GaussMagnus, MagnusWorkspace};
 pub use methods::isospectral_runge_kutta::{IsospectralRungeKutta, IsospectralWorkspace};
 
 pub use collective_integrators;
-pub use faer;
 pub use lie_poisson;
 pub use num_complex;
 

@@ -68,7 +68,7 @@ fn in_place<I: Integrator>(method: &I, mut state: I::State) -> Result<usize, Box
     })
 }
 
-/// The products of `faer` may allocate for matrices beyond some size: these steps allocate nothing themselves.
+/// The products of `gemm` may allocate for matrices beyond some size: these steps allocate nothing themselves.
 #[test]
 fn no_step_of_a_matrix_allocates() -> Result<(), Box<dyn Error>> {
     for size in [12, 40] {

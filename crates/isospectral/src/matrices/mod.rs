@@ -3,6 +3,6 @@
 mod tiles;
 pub(crate) mod large_matrix;
 pub(crate) mod skew_hermitian;
-mod clean_registers;
+mod real_product;
 pub(crate) mod products;
 mod exponential;

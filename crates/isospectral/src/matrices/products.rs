@@ -1,12 +1,9 @@
 //! Products of complex matrices of any size: [`Products`].
 
-use crate::matrices::clean_registers::clean_registers;
 use crate::matrices::large_matrix::LargeMatrix;
+use crate::matrices::real_product::{Right, real_product};
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
 use crate::matrices::tiles::{for_pairs, mirror};
-use faer::linalg::matmul::matmul;
-use faer::reborrow::ReborrowMut;
-use faer::{Accum, MatMut, MatRef, Par};
 use lie_poisson::State;
 
 /// Products of complex matrices, with their temporary storage.
@@ -51,8 +48,9 @@ pub struct Products {
 impl Products {
     /// Writes the product A B of two matrices of one size. If the sizes differ, the product is NaN.
     pub fn multiply(&mut self, a: &LargeMatrix, b: &LargeMatrix, product: &mut LargeMatrix) {
+        let n = a.size();
         self.real_products(a, b, 1.0, |left, right, product, alpha| {
-            matmul(product, Accum::Replace, left, right, alpha, Par::Seq);
+            real_product(n, (n, 0..n), product, (alpha, left, Right::Plain(right)));
         });
         self.write(product);
     }
@@ -64,8 +62,9 @@ impl Products {
         b: &LargeMatrix,
         product: &mut LargeMatrix,
     ) {
+        let n = a.size();
         self.real_products(a, b, -1.0, |left, right, product, alpha| {
-            matmul(product, Accum::Replace, left, right.transpose(), alpha, Par::Seq);
+            real_product(n, (n, 0..n), product, (alpha, left, Right::Transposed(right)));
         });
         self.write(product);
     }
@@ -80,13 +79,12 @@ impl Products {
         b: &LargeMatrix,
         product: &mut LargeMatrix,
     ) {
-        self.real_products(a, b, 1.0, |left, right, mut product, alpha| {
-            let n = left.nrows();
+        let n = a.size();
+        self.real_products(a, b, 1.0, |left, right, product, alpha| {
             for first in (0..n).step_by(n.div_ceil(PANELS).max(LEAST_PANEL)) {
                 let end = (first + n.div_ceil(PANELS).max(LEAST_PANEL)).min(n);
-                let panel = product.rb_mut().submatrix_mut(0, first, end, end - first);
-                let (left, right) = (left.subrows(0, end), right.subcols(first, end - first));
-                matmul(panel, Accum::Replace, left, right, alpha, Par::Seq);
+                let panel = (end, first..end);
+                real_product(n, panel, product, (alpha, left, Right::Plain(right)));
             }
         });
         let n = self.write(product);
@@ -103,10 +101,10 @@ impl Products {
         b: &LargeSkewHermitian,
         commutator: &mut LargeSkewHermitian,
     ) {
+        let n = a.size();
         self.real_products(a.matrix(), b.matrix(), 1.0, |left, right, product, alpha| {
-            matmul(product, Accum::Replace, left, right, alpha, Par::Seq);
+            real_product(n, (n, 0..n), product, (alpha, left, Right::Plain(right)));
         });
-        let n = self.size;
         if commutator.size() != n {
             *commutator = LargeSkewHermitian::zeros(n);
         }
@@ -156,7 +154,7 @@ impl Products {
         a: &LargeMatrix,
         b: &LargeMatrix,
         sign: f64,
-        multiply: impl Fn(MatRef<'_, f64>, MatRef<'_, f64>, MatMut<'_, f64>, f64),
+        multiply: impl Fn(&[f64], &[f64], &mut [f64], f64),
     ) {
         let n = a.size();
         self.size = n;
@@ -173,10 +171,8 @@ impl Products {
             (a.imaginary(), b.imaginary(), &mut self.second, sign),
             (&self.left, &self.right, &mut self.third, 1.0),
         ] {
-            let [left, right] = [left, right].map(|x| MatRef::from_column_major_slice(x, n, n));
-            multiply(left, right, MatMut::from_column_major_slice_mut(product, n, n), alpha);
+            multiply(left, right, product, alpha);
         }
-        clean_registers();
     }
 
     /// Writes the complex product of the three real ones. Returns its size.

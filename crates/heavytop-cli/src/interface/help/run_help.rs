@@ -183,8 +183,10 @@ quantity, and heavytop plot draws it, heavytop export writes it for ParaView and
   spin-lattice        shape of one to three axes, exchange*, bonds*, anisotropy*, axis*, field*;
                       array S of shape (..., 3); initial S, or direction*, waves*, cone*, tilt*,
                       seed*
-  vibrating-lattice   atoms, exchange, mass*, stiffness*, coupling*; S, q, p; initial as S, and q*, p*
-  sphere-fluid        size, rotation*; omega of shape (N, N), Re of (l, m) at [l, m], Im at [m-1, l];
+  vibrating-lattice   atoms, exchange, mass*, stiffness*, coupling*; arrays S, q, p; initial as for
+                      spin-lattice, and q*, p*
+  sphere-fluid        size, rotation*; omega of shape (N, N), Re of (l, m) at [l, m], Im at
+                      [m-1, l];
                       initial coefficients, rows [l, m, re, im], or degrees, rms*, seed*
   vortices            more than 48 strengths; m of shape (N, 3); initial positions, or seed*
 initial_file = \"FILE.npz\" instead of initial starts from the last sample of an archive, from an OVF
