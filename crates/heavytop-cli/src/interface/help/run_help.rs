@@ -190,8 +190,8 @@ quantity, and heavytop plot draws it, heavytop export writes it for ParaView and
                       initial coefficients, rows [l, m, re, im], or degrees, rms*, seed*
   vortices            more than 48 strengths; m of shape (N, 3); initial positions, or seed*
 initial_file = \"FILE.npz\" instead of initial starts from the last sample of an archive, from an OVF
-file, or from arrays that NumPy has saved. The default is collective, for fluids reduced; reduced with the
-scheme spherical-midpoint is the fastest for large lattices.
+file, or from arrays that NumPy has saved. The default is collective, for fluids reduced; reduced
+with the scheme spherical-midpoint is the fastest for large lattices.
 
 Algebras, of up to 256 dimensions, with their coordinates: so(3) Pi; su(2), su(n) mu; sl(2) alpha,
 beta, gamma; se(2) Pi, Gamma of two components; se(3) Pi, Gamma; se(3)+R3 Pi, P, Gamma, as of a
