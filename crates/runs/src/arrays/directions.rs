@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
-/// Directions that a seed determines, the same on every machine.
+/// Directions that a seed determines.
 pub(super) struct Directions(ChaCha8Rng);
 
 impl Directions {
@@ -14,7 +14,7 @@ impl Directions {
     }
 
     /// Returns a number between 0 and 1.
-    pub(super) fn fraction(&mut self) -> f64 {
+    fn fraction(&mut self) -> f64 {
         // The upper 53 bits are those of a double.
         (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
     }

@@ -23,7 +23,7 @@ pub(super) struct SitesArrays {
     pub(super) hamiltonian: &'static str,
     /// The shape of the array, without the three components.
     pub(super) shape: Vec<usize>,
-    /// The factors of |m_i|² in the Casimir C; all 1 if there are none.
+    /// The factors of m_i in the Casimir C = Σ |w_i m_i|²; all 1 if there are none.
     pub(super) weights: Option<Vec<f64>>,
     /// The axis along which Σ m_i is conserved: `None` for all axes, and 0 for none.
     pub(super) symmetry: Option<Vector3<f64>>,
@@ -56,7 +56,7 @@ impl Arrays for SitesArrays {
         vec![ArrayShape { name: self.name, shape, block: 3 }]
     }
 
-    /// h, the components of Σ m_i that are conserved, and C = Σ |m_i|².
+    /// h, the components of Σ m_i that are conserved, and the Casimir C.
     fn invariant_names(&self) -> Vec<String> {
         let mut names = vec!["h".to_owned()];
         match self.symmetry {
@@ -77,10 +77,9 @@ impl Arrays for SitesArrays {
             Some(axis) if axis != Vector3::zeros() => values.push(sum.dot(&axis.normalize())),
             Some(_) => {}
         }
-        let squares = m.0.iter().map(Vector3::norm_squared);
         values.push(match &self.weights {
-            None => squares.sum(),
-            Some(weights) => squares.zip(weights).map(|(square, weight)| square * weight).sum(),
+            None => m.0.iter().map(Vector3::norm_squared).sum(),
+            Some(weights) => m.0.iter().zip(weights).map(|(m, w)| (m * *w).norm_squared()).sum(),
         });
     }
 

@@ -222,6 +222,7 @@ fn what_does_not_fit_is_refused_with_what_is_needed() {
         ("spin-lattice", spins.clone().list("axis", vec![0.0; 3]), "axis must not be zero"),
         ("spin-lattice", spins.clone().number("anisotropy", f64::NAN), "finite, got NaN"),
         ("vortices", strengths.clone().list("strengths", vec![1.0, 0.0]), "strength"),
+        ("vortices", none().list("strengths", vec![]), "at least one number, got none"),
         ("vibrating-lattice", chain.clone().number("atoms", 2.0), "from 3 to 16777216, got 2"),
         ("vibrating-lattice", chain.clone().number("mass", 0.0), "positive, got 0"),
         ("vibrating-lattice", chain.clone().number("stiffness", -1.0), "0 or positive, got -1"),

@@ -5,6 +5,7 @@ use crate::errors::{Error, FieldFileError};
 use crate::fields::archive::Archive;
 use crate::fields::field_file::failed;
 use crate::fields::{image_data, ovf};
+use crate::files::place::require_folder;
 use crate::files::{Kind, Output, contains};
 use crate::supervision::{Progress, Watch};
 use clap::ValueEnum;
@@ -63,6 +64,7 @@ pub fn export(
     if every == 0 {
         return Err(Error::OutOfRange { name: "every", range: "at least 1", value: 0.0 });
     }
+    require_folder(out)?;
     let read = |error| failed(run, error);
     let mut archive = Archive::open(run).map_err(read)?;
     let times = archive.numbers("t").map_err(read)?;

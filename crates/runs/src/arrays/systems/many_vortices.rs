@@ -35,6 +35,9 @@ const ON_SPHERE: f64 = 1e-5;
 /// as [`ManyVortices`].
 pub(in crate::arrays) fn make(given: &Given<'_>) -> Made {
     let strengths = given.values("strengths").to_vec();
+    if strengths.is_empty() {
+        return Err(given.refused("strengths", "at least one number, got none".into()));
+    }
     let vortices = ManyVortices::new(strengths.clone());
     let vortices = vortices.map_err(|error| given.refused("strengths", error.to_string()))?;
     Ok(Box::new(SitesArrays {
@@ -42,7 +45,7 @@ pub(in crate::arrays) fn make(given: &Given<'_>) -> Made {
         name: "m",
         hamiltonian: "sum(strengths[i]*strengths[j]*ln(2 - 2*m[i]·m[j]/(strengths[i]*strengths[j])), i < j)/(4*pi)",
         shape: vec![strengths.len()],
-        weights: Some(strengths.iter().map(|strength| strength.powi(-2)).collect()),
+        weights: Some(strengths.iter().map(|strength| strength.recip()).collect()),
         symmetry: None,
         start,
     }))

@@ -42,6 +42,9 @@ pub(in crate::arrays) const SPIN_START: [Parameter; 6] = [
 
 pub(in crate::arrays) const START: &[Parameter] = &SPIN_START;
 
+/// The largest seed, up to which a number of a configuration is exact.
+const MOST_SEED: f64 = 1e15;
+
 /// The largest number of spins.
 const MOST: usize = 1 << 28;
 
@@ -134,5 +137,12 @@ fn shape(given: &Given<'_>) -> Result<Vec<usize>, FormulaSystemError> {
 
 /// Returns the seed of a random start.
 pub(in crate::arrays) fn seed(given: &Given<'_>) -> Result<u64, FormulaSystemError> {
-    Ok(given.whole("seed", [0, 1 << 53])? as u64)
+    let seed = given.number("seed");
+    match seed.fract() == 0.0 && (0.0..=MOST_SEED).contains(&seed) {
+        true => Ok(seed as u64),
+        false => {
+            Err(given
+                .refused("seed", format!("a whole number from 0 to {MOST_SEED:e}, got {seed}")))
+        }
+    }
 }
