@@ -76,7 +76,7 @@
 //!
 //! # Features and versions
 //!
-//! The crate has no features. The oldest supported compiler is Rust 1.89. Products are made by the crate `gemm`, on one thread.
+//! The crate has no features. The oldest supported compiler is Rust 1.89. Products are made by the crate `gemm-f64`, on one thread.
 //! It uses the instructions that the processor has, so that the last digits of a step depend on the processor.
 //!
 //! # Related crates

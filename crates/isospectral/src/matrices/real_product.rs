@@ -1,6 +1,8 @@
-//! Products of real matrices, by the crate `gemm`: [`real_product`].
+//! Products of real matrices, by the crate `gemm-f64`: [`real_product`].
 
 use core::ops::Range;
+use gemm_common::Parallelism;
+use gemm_f64::gemm::f64::get_gemm_fn;
 
 /// The right factor of a product.
 #[derive(Clone, Copy)]
@@ -13,7 +15,7 @@ pub(super) enum Right<'a> {
 
 /// Writes a part of the product a A B of N×N matrices, each column by column: the first `rows` rows, in these columns.
 /// Nothing is written if a matrix does not have N² entries, or the part is larger than the product.
-#[allow(unsafe_code)] // `gemm` takes pointers
+#[allow(unsafe_code)] // the library takes pointers
 pub(super) fn real_product(
     size: usize,
     (rows, columns): (usize, Range<usize>),
@@ -37,7 +39,7 @@ pub(super) fn real_product(
     // the slices, whose lengths are N², since entry (j, k) is at j + N k and j, k < N; the product is borrowed alone, and
     // is written before it is read, since `read_dst` is false.
     unsafe {
-        gemm::gemm(
+        get_gemm_fn()(
             rows,
             count,
             size,
@@ -56,7 +58,7 @@ pub(super) fn real_product(
             false,
             false,
             false,
-            gemm::Parallelism::None,
+            Parallelism::None,
         );
     }
 }
