@@ -9,7 +9,11 @@ use std::path::Path;
 use zip::ZipArchive;
 
 /// An archive of arrays.
-pub(crate) struct Archive(ZipArchive<BufReader<File>>);
+pub(crate) struct Archive {
+    zip: ZipArchive<BufReader<File>>,
+    /// The length of the file, which no array exceeds.
+    length: u64,
+}
 
 /// The header of an array.
 #[derive(Debug, PartialEq)]
@@ -18,6 +22,8 @@ pub(crate) struct Header {
     width: usize,
     /// The shape, whose last index is the fastest.
     pub(crate) shape: Vec<usize>,
+    /// The length of the header itself, in bytes.
+    length: usize,
 }
 
 /// The largest size of a header, in bytes.
@@ -29,16 +35,17 @@ impl Archive {
     /// # Errors
     /// If the file cannot be read, or is no archive.
     pub(crate) fn open(path: &Path) -> Result<Self, FieldFileError> {
-        let file = BufReader::with_capacity(1 << 20, File::open(path)?);
-        let archive = ZipArchive::new(file);
+        let file = File::open(path)?;
+        let length = file.metadata()?.len();
+        let archive = ZipArchive::new(BufReader::with_capacity(1 << 20, file));
         archive
-            .map(Self)
+            .map(|zip| Self { zip, length })
             .map_err(|error| FieldFileError::Format(format!("it is no archive of arrays: {error}")))
     }
 
     /// Returns the names of the arrays.
     pub(crate) fn names(&self) -> Vec<String> {
-        let names = self.0.file_names().filter_map(Result::ok);
+        let names = self.zip.file_names().filter_map(Result::ok);
         let mut names: Vec<String> =
             names.filter_map(|name| name.strip_suffix(".npy").map(String::from)).collect();
         names.sort();
@@ -54,15 +61,17 @@ impl Archive {
         if !has.iter().any(|other| other == name) {
             return Err(FieldFileError::NoArray { name: name.into(), has });
         }
-        let mut file = self.0.by_name(&format!("{name}.npy"));
-        let mut file = match &mut file {
-            Ok(_) => file.map_err(io::Error::other)?,
-            Err(error) => {
-                let text = format!("{name} cannot be read, save it uncompressed: {error}");
-                return Err(FieldFileError::Format(text));
-            }
-        };
+        let length = self.length;
+        let mut file = self.zip.by_name(&format!("{name}.npy")).map_err(|error| {
+            let text = format!("{name} cannot be read, save it uncompressed: {error}");
+            FieldFileError::Format(text)
+        })?;
         let header = Header::read(name, &mut file)?;
+        // A size that a header invents takes no memory.
+        if file.size() > length || header.bytes() != Some(file.size()) {
+            let text = format!("{name} has not as many numbers as its header says");
+            return Err(FieldFileError::Format(text));
+        }
         Ok((header, file))
     }
 
@@ -79,7 +88,7 @@ impl Archive {
 
     /// Returns the text of an array that is one, if there is one of this name.
     pub(crate) fn text(&mut self, name: &str) -> Option<String> {
-        let mut file = self.0.by_name(&format!("{name}.npy")).ok()?;
+        let mut file = self.zip.by_name(&format!("{name}.npy")).ok()?;
         let mut bytes = Vec::new();
         (&mut file).take(1 << 24).read_to_end(&mut bytes).ok()?;
         let length = usize::from(u16::from_le_bytes([*bytes.get(8)?, *bytes.get(9)?]));
@@ -121,16 +130,16 @@ impl Header {
         };
         let mut prefix = [0; 8];
         file.read_exact(&mut prefix)?;
-        let length = match prefix {
+        let (before, length) = match prefix {
             [0x93, b'N', b'U', b'M', b'P', b'Y', 1, _] => {
                 let mut length = [0; 2];
                 file.read_exact(&mut length)?;
-                usize::from(u16::from_le_bytes(length))
+                (10, usize::from(u16::from_le_bytes(length)))
             }
             [0x93, b'N', b'U', b'M', b'P', b'Y', 2 | 3, _] => {
                 let mut length = [0; 4];
                 file.read_exact(&mut length)?;
-                u32::from_le_bytes(length) as usize
+                (12, u32::from_le_bytes(length) as usize)
             }
             _ => return Err(unreadable()),
         };
@@ -139,7 +148,15 @@ impl Header {
         }
         let mut text = vec![0; length];
         file.read_exact(&mut text)?;
-        Self::parse(&String::from_utf8_lossy(&text)).ok_or_else(unreadable)
+        let header = Self::parse(&String::from_utf8_lossy(&text)).ok_or_else(unreadable)?;
+        Ok(Self { length: before + length, ..header })
+    }
+
+    /// Returns the number of bytes of the array and of its header; `None` if no file has so many.
+    fn bytes(&self) -> Option<u64> {
+        let mut counts = self.shape.iter().map(|count| *count as u64);
+        let count = counts.try_fold(1_u64, u64::checked_mul)?;
+        count.checked_mul(self.width as u64)?.checked_add(self.length as u64)
     }
 
     /// Reads a header such as `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }`.
@@ -154,10 +171,9 @@ impl Header {
         let shape = shape.split(',').map(str::trim).filter(|count| !count.is_empty());
         let shape: Option<Vec<usize>> = shape.map(|count| count.parse().ok()).collect();
         let shape = shape?;
-        let is_known = shape.iter().try_fold(1_usize, |all, count| all.checked_mul(*count));
         // A single index has one order.
         let is_c = after("fortran_order")?.starts_with("False") || shape.len() < 2;
-        (is_c && is_known.is_some()).then_some(Self { width, shape })
+        is_c.then_some(Self { width, shape, length: 0 })
     }
 
     /// Reads the next numbers.
@@ -189,7 +205,8 @@ mod tests {
                 "{{'descr': '{descr}', 'fortran_order': {fortran}, 'shape': {shape}, }}  \n"
             ))
         };
-        let header = |width, shape: &[usize]| Some(Header { width, shape: shape.to_vec() });
+        let header =
+            |width, shape: &[usize]| Some(Header { width, shape: shape.to_vec(), length: 0 });
         assert_eq!(of("<f8", "False", "(3, 4)"), header(8, &[3, 4]));
         assert_eq!(of("<f4", "False", "(5,)"), header(4, &[5]));
         assert_eq!(of("<f8", "False", "()"), header(8, &[]));
@@ -199,9 +216,10 @@ mod tests {
             (">f8", "False", "(3,)"),
             ("<i8", "False", "(3,)"),
             ("<f8", "False", "(3, x)"),
-            ("<f8", "False", "(4294967296, 4294967296, 2)"),
         ] {
             assert_eq!(of(descr, fortran, shape), None, "{descr} {fortran} {shape}");
         }
+        let huge = of("<f8", "False", "(4294967296, 4294967296, 2)");
+        assert_eq!(huge.map(|huge| huge.bytes()), Some(None));
     }
 }

@@ -6,15 +6,18 @@ use std::io;
 use std::path::Path;
 use toml::Table;
 
-/// The largest size of a checkpoint or an identity, in bytes.
+/// The largest size of a checkpoint or an identity, in bytes. What is no regular file may have no end.
 const MOST_BYTES: u64 = 1 << 30;
+const MOST_OF_OTHERS: u64 = 1 << 24;
 
 /// Reads the text of a sealed file.
 ///
 /// # Errors
 /// If the file cannot be read, is not text, or is too long.
 pub(crate) fn read(path: &Path) -> Result<String, CheckpointError> {
-    bounded::read(path, MOST_BYTES).map_err(|error| match error.kind() {
+    let is_regular = path.metadata().is_ok_and(|found| found.is_file());
+    let most = if is_regular { MOST_BYTES } else { MOST_OF_OTHERS };
+    bounded::read(path, most).map_err(|error| match error.kind() {
         io::ErrorKind::InvalidData => CheckpointError::Damaged("it is no text".into()),
         io::ErrorKind::FileTooLarge => CheckpointError::Damaged(error.to_string()),
         _ => CheckpointError::Read(error),

@@ -97,6 +97,21 @@ impl<'a> Given<'a> {
         self.arguments.0.contains_key(name)
     }
 
+    /// Checks that what one parameter gives is not given by others, too.
+    ///
+    /// # Errors
+    /// If it is.
+    pub(super) fn require_alone(
+        &self,
+        name: &'static str,
+        others: &[&'static str],
+    ) -> Result<(), FormulaSystemError> {
+        match others.iter().find(|other| self.has(other)) {
+            Some(other) => Err(self.refused(other, format!("left out beside {name}"))),
+            None => Ok(()),
+        }
+    }
+
     /// Returns the numbers of a parameter.
     pub(super) fn values(&self, name: &str) -> &'a [f64] {
         let default = || self.table.iter().find(|own| own.name == name)?.default;

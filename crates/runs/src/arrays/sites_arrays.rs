@@ -12,6 +12,9 @@ use heavytop::methods::{Formulation, Method, SchemeName};
 use lie_poisson_formula_systems::FormulaSystemError;
 use nalgebra::Vector3;
 
+/// The largest number of periods of a wave along an axis.
+const MOST_PERIODS: f64 = 1e6;
+
 /// The result of a start.
 pub(super) type Started = Result<Vec<f64>, FormulaSystemError>;
 
@@ -74,7 +77,9 @@ impl Arrays for SitesArrays {
         values.push(self.system.energy(&m));
         match self.symmetry {
             None => values.extend(sum.iter()),
-            Some(axis) if axis != Vector3::zeros() => values.push(sum.dot(&axis.normalize())),
+            Some(axis) if axis != Vector3::zeros() => {
+                values.push(sum.dot(&(axis / axis.amax()).normalize()))
+            }
             Some(_) => {}
         }
         values.push(match &self.weights {
@@ -125,6 +130,7 @@ pub(super) fn spin_start(shape: &[usize], given: &Given<'_>, random: &mut Direct
     let count: usize = shape.iter().product();
     let spins = given.values("S");
     if given.has("S") {
+        given.require_alone("S", &["direction", "waves", "cone", "tilt", "seed"])?;
         if spins.len() != 3 * count {
             let needed = format!(
                 "{} numbers, an array of shape {:?}, got {}",
@@ -148,6 +154,9 @@ pub(super) fn spin_start(shape: &[usize], given: &Given<'_>, random: &mut Direct
     if given.has("waves") && waves.len() != shape.len() {
         let needed = format!("a number for each of {} axes, got {}", shape.len(), waves.len());
         return Err(given.refused("waves", needed));
+    }
+    if let Some(wave) = waves.iter().find(|wave| wave.abs() > MOST_PERIODS) {
+        return Err(given.refused("waves", format!("at most {MOST_PERIODS:e}, got {wave:e}")));
     }
     for (name, angle) in [("cone", cone), ("tilt", tilt)] {
         if !(0.0..=PI).contains(&angle) {

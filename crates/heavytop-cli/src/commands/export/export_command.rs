@@ -112,12 +112,16 @@ fn fields(
     let (mut fields, names) = (Vec::new(), archive.names());
     for name in &names {
         let Ok((header, _)) = archive.array(name) else { continue };
-        if let [count, cells @ .., 3] = &header.shape[..]
-            && *count == samples
-            && (1..=3).contains(&cells.len())
-        {
-            fields.push((name.clone(), header.shape.get(1..).unwrap_or_default().to_vec()));
+        let [count, cells @ .., 3] = &header.shape[..] else { continue };
+        if *count != samples || !(1..=3).contains(&cells.len()) || cells.contains(&0) {
+            continue;
         }
+        // The name becomes that of files, and stands in their headers.
+        if !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-') {
+            let text = format!("the array {name:?} needs a name of letters, digits, _ and -");
+            return Err(FieldFileError::Format(text));
+        }
+        fields.push((name.clone(), header.shape.get(1..).unwrap_or_default().to_vec()));
     }
     match fields.is_empty() {
         true => Err(FieldFileError::Format(format!(

@@ -37,6 +37,9 @@ impl RunArrays {
             return Err(SystemTableError::NoArrays.into());
         };
         let times = archive.numbers("t").map_err(read)?;
+        if times.is_empty() {
+            return Err(read(FieldFileError::Format("it has no samples".into())));
+        }
         Ok(Self { path: path.into(), archive, config, system, times })
     }
 
@@ -56,10 +59,19 @@ impl RunArrays {
         let (name, shape) = self.first();
         let path = self.path.clone();
         let (header, mut file) = self.archive.array(name).map_err(|error| failed(&path, error))?;
+        let expected = [&[self.times.len()], &shape[..]].concat();
+        if header.shape != expected {
+            let (name, found) = (name.into(), header.shape);
+            return Err(failed(&path, FieldFileError::Shape { name, expected, found }));
+        }
         let mut numbers = vec![0.0; shape.iter().product()];
         for number in 0..self.times.len() {
             let filled = header.fill(&mut file, &mut numbers);
             filled.map_err(|error| failed(&path, error.into()))?;
+            if !numbers.iter().all(|x: &f64| x.is_finite()) {
+                let text = format!("sample {number} of {name} has numbers that are not finite");
+                return Err(failed(&path, FieldFileError::Format(text)));
+            }
             if !visit(number, &numbers) {
                 break;
             }

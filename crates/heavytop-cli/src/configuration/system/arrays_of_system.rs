@@ -3,8 +3,8 @@
 use super::numbers::Numbers;
 use super::system_config::SystemConfig;
 use crate::configuration::{Integration, IntegratorConfig};
-use crate::errors::{Error, SystemTableError};
-use crate::fields::field_file::{checksum, last};
+use crate::errors::{Error, FieldFileError, SystemTableError};
+use crate::fields::field_file::{checksum, failed, last};
 use crate::runs::{Experiment, Pace, Schedule};
 use lie_poisson_runs::step_angle::require_sane_step;
 use lie_poisson_runs::{Arguments, ArrayKind, ArraySystem};
@@ -59,15 +59,21 @@ impl SystemConfig {
         Ok(Some(kind.system(&arguments(&self.parameters))?))
     }
 
-    /// Makes the path of the file of the start one from the folder of the program, notes the checksum of the file, and
+    /// Makes the path of the file of the start an absolute one, notes the checksum of the file, and
     /// returns the path.
     ///
     /// # Errors
     /// If the file cannot be read.
     pub(crate) fn find_initial_file(&mut self, folder: &Path) -> Result<Option<PathBuf>, Error> {
         let Some(file) = &mut self.initial_file else { return Ok(None) };
-        let path = folder.join(&*file);
-        *file = path.to_string_lossy().into_owned();
+        // From another folder a run is resumed, too.
+        let path = std::path::absolute(folder.join(&*file));
+        let path = path.map_err(|error| failed(Path::new(file), error.into()))?;
+        let Some(text) = path.to_str() else {
+            let reason = FieldFileError::Format("its path is no text in UTF-8".into());
+            return Err(failed(&path, reason));
+        };
+        *file = text.to_owned();
         self.initial_checksum = Some(checksum(&path)?);
         Ok(Some(path))
     }
@@ -75,7 +81,8 @@ impl SystemConfig {
     /// Returns the start in a file: the last sample of each array of the system.
     fn in_file(&self, file: &str, model: &ArraySystem) -> Result<Arguments, Error> {
         let path = Path::new(file);
-        if self.initial_checksum.is_some_and(|before| checksum(path).ok() != Some(before)) {
+        let now = checksum(path)?;
+        if self.initial_checksum.is_some_and(|before| before != now) {
             return Err(SystemTableError::OtherStart { path: path.into() }.into());
         }
         let mut given = Arguments::new();

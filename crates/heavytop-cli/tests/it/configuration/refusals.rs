@@ -53,7 +53,7 @@ const WRONG: &[(&str, &str)] = &[
     ("[body\nmass = 1", "a.toml, line 1, column 6: "),
     (
         "[integrator]\nscheme = 'euler'",
-        "line 2, column 10: integrator.scheme: unknown scheme `euler`; there are implicit-midpoint, gauss-4, gauss-6, gauss-8, gauss-10, gauss-12, gauss-16, explicit-midpoint, rk4",
+        "line 2, column 10: integrator.scheme: unknown scheme `euler`; there are implicit-midpoint, spherical-midpoint, gauss-4, gauss-6, gauss-8, gauss-10, gauss-12, gauss-16, explicit-midpoint, rk4",
     ),
     (
         "integrator.formulation = 'x'",

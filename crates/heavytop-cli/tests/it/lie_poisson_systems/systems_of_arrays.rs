@@ -3,6 +3,7 @@
 use crate::program::{Finished, Folder, numbers};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson_runs::{Arguments, ArrayKind, Experiment, Model, Pace, RunFailure, Schedule};
+use std::io::{Read, Write};
 
 /// A system: its kind, its parameters and its start, both as TOML and for the library, and its method.
 struct Case {
@@ -117,7 +118,7 @@ fn array(archive: &[u8], name: &str) -> (String, Vec<f64>) {
     let mut archive = zip::ZipArchive::new(std::io::Cursor::new(archive)).unwrap();
     let mut bytes = Vec::new();
     let mut file = archive.by_name(&format!("{name}.npy")).unwrap();
-    std::io::Read::read_to_end(&mut file, &mut bytes).unwrap();
+    file.read_to_end(&mut bytes).unwrap();
     let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
     let header = String::from_utf8(bytes[10..10 + length].to_vec()).unwrap();
     let shape = header.split_once("'shape': ").unwrap().1.split_once(", }").unwrap().0;
@@ -361,4 +362,105 @@ fn starts_and_outputs_that_do_not_fit_are_refused_before_anything_is_written() {
     let done =
         folder.heavytop_fed(&format!("{wide}{end}{fast}"), &["simulate", "-", "--out", "b.npz"]);
     succeeded(&done);
+}
+
+/// Writes an archive of arrays with these names, shapes and numbers; a shape may lie.
+fn write_archive(folder: &Folder, name: &str, arrays: &[(&str, &str, Vec<f64>)]) {
+    let mut zip = zip::ZipWriter::new(std::fs::File::create(folder.path(name)).unwrap());
+    let options = zip::write::SimpleFileOptions::default();
+    for (array, shape, numbers) in arrays {
+        zip.start_file(
+            format!("{array}.npy"),
+            options.compression_method(zip::CompressionMethod::Stored),
+        )
+        .unwrap();
+        let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}\n");
+        zip.write_all(b"\x93NUMPY\x01\x00").unwrap();
+        zip.write_all(&(header.len() as u16).to_le_bytes()).unwrap();
+        zip.write_all(header.as_bytes()).unwrap();
+        numbers.iter().for_each(|x| zip.write_all(&x.to_le_bytes()).unwrap());
+    }
+    zip.finish().unwrap();
+}
+
+/// Archives that lie about their sizes take no memory and no time, and no name of an array leads out of the folder.
+#[test]
+fn archives_that_lie_are_refused() {
+    let folder = Folder::new();
+    let spins = || vec![0.5; 12];
+    for (arrays, said) in [
+        (
+            vec![("t", "(1,)", vec![0.0]), ("../out", "(1, 4, 3)", spins())],
+            "needs a name of letters",
+        ),
+        (
+            vec![("t", "(1,)", vec![0.0]), ("a\"<b>", "(1, 4, 3)", spins())],
+            "needs a name of letters",
+        ),
+        (
+            vec![("t", "(1,)", vec![0.0]), ("S", "(1, 0, 99999999999999, 3)", vec![])],
+            "no vectors on a lattice",
+        ),
+        (vec![("t", "(2305843009213693952,)", vec![])], "as many numbers as its header says"),
+        (vec![("t", "(1099511627776,)", vec![0.0])], "as many numbers as its header says"),
+        (
+            vec![("t", "(1,)", vec![0.0]), ("S", "(1, 576460752303423488, 3)", spins())],
+            "no vectors on a lattice",
+        ),
+        (vec![("t", "(1,)", vec![0.0]), ("S", "(1, 5, 3)", spins())], "no vectors on a lattice"),
+        (vec![("S", "(1, 4, 3)", spins())], "it has no array t; it has S"),
+    ] {
+        write_archive(&folder, "lie.npz", &arrays);
+        let done = folder.heavytop(&["export", "lie.npz", "--out", "new", "--format", "vti"]);
+        assert_eq!(done.code(), 2, "{arrays:?} {}", done.stderr());
+        assert!(done.stderr().contains(said), "{said}: {}", done.stderr());
+    }
+    assert_eq!(folder.names(), ["lie.npz"]);
+    // Control: what does not lie is written.
+    write_archive(&folder, "true.npz", &[("t", "(1,)", vec![0.0]), ("S", "(1, 4, 3)", spins())]);
+    succeeded(&folder.heavytop(&["export", "true.npz", "--out", "new", "--format", "vti"]));
+}
+
+/// A run from a file is resumed from another folder, and an archive whose arrays have been replaced is not drawn.
+#[test]
+fn paths_are_absolute_and_foreign_arrays_are_not_drawn() {
+    let folder = Folder::new();
+    let text = "[system]\nkind = 'spin-lattice'\nparameters = { shape = [4, 4], exchange = 1 }\n";
+    folder.write("a.toml", &format!("{text}initial = {{ tilt = 1 }}\n[integrator]\nend = 0.1\n"));
+    succeeded(&folder.heavytop(&["simulate", "a.toml", "--out", "a.npz"]));
+    std::fs::create_dir(folder.path("below")).unwrap();
+    folder.write(
+        "below/b.toml",
+        &format!("{text}initial_file = '../a.npz'\n[integrator]\nend = 0.1\n"),
+    );
+    succeeded(&folder.heavytop(&["simulate", "below/b.toml", "--out", "below/b.npz"]));
+    let written = std::fs::read(folder.path("below/b.npz")).unwrap();
+    let mut archive = zip::ZipArchive::new(std::io::Cursor::new(written)).unwrap();
+    let mut metadata = Vec::new();
+    archive.by_name("metadata.npy").unwrap().read_to_end(&mut metadata).unwrap();
+    metadata.retain(|byte| *byte != 0);
+    let metadata = String::from_utf8_lossy(&metadata).into_owned();
+    let stated = folder.path("below/../a.npz").display().to_string();
+    assert!(metadata.contains(&stated), "{metadata}");
+    std::fs::copy(folder.path("a.npz"), folder.path("cut.npz")).unwrap();
+    // The arrays of another run under the metadata of this one.
+    let small = text.replace("[4, 4]", "[4, 2]");
+    folder.write("c.toml", &format!("{small}initial = {{ tilt = 1 }}\n[integrator]\nend = 0.1\n"));
+    succeeded(&folder.heavytop(&["simulate", "c.toml", "--out", "c.npz"]));
+    let mut mixed = zip::ZipWriter::new(std::fs::File::create(folder.path("mixed.npz")).unwrap());
+    for (from, names) in [("a.npz", &["t.npy", "metadata.npy"][..]), ("c.npz", &["S.npy"])] {
+        let mut source =
+            zip::ZipArchive::new(std::fs::File::open(folder.path(from)).unwrap()).unwrap();
+        for name in names {
+            mixed.raw_copy_file(source.by_name(name).unwrap()).unwrap();
+        }
+    }
+    mixed.finish().unwrap();
+    let done = folder.heavytop(&["plot", "mixed.npz", "--out", "a.png"]);
+    assert!(
+        done.code() == 2 && done.stderr().contains("the shape of S is [6, 4, 2, 3]"),
+        "{}",
+        done.stderr()
+    );
+    assert!(!folder.path("a.png").exists());
 }

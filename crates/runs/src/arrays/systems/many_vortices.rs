@@ -77,6 +77,7 @@ fn start(vortices: &SitesArrays, given: &Given<'_>) -> Started {
         let random = Directions::new(seed(given)?);
         return Ok(times_strengths(&apart(count, random)));
     }
+    given.require_alone(name, if name == "m" { &["positions", "seed"] } else { &["seed"] })?;
     if values.len() != 3 * count {
         let needed = format!("three numbers for each of {count} vortices, got {}", values.len());
         return Err(given.refused(name, needed));

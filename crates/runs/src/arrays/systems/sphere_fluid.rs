@@ -26,8 +26,11 @@ pub(in crate::arrays) const PARAMETERS: &[Parameter] = &[
 ];
 
 pub(in crate::arrays) const START: &[Parameter] = &[
-    Parameter::list("coefficients", "rows [l, m, re, im] of the absolute vorticity, m from 0 to l")
-        .or(&[]),
+    Parameter::list(
+        "coefficients",
+        "rows [l, m, re, im] of the absolute vorticity, m from 0 to l; added to a random one",
+    )
+    .or(&[]),
     Parameter::list("omega", "all coefficients as in the output, instead").or(&[]),
     Parameter::list("degrees", "the least and the largest degree of a random vorticity, instead")
         .or(&[]),
@@ -161,6 +164,7 @@ impl Arrays for SphereFluid {
         let n = self.size();
         let mut omega = VorticityCoefficients::zeros(n);
         if given.has("omega") {
+            given.require_alone("omega", &["coefficients", "degrees", "rms", "seed"])?;
             let values = given.values("omega");
             if values.len() != n * n {
                 let needed = format!(
@@ -177,9 +181,9 @@ impl Arrays for SphereFluid {
                 [least, most] => [*least, *most].map(|l| whole(l, [0, n - 1])),
                 _ => [None; 2],
             };
-            let (Some(least), Some(most)) = (least, most) else {
+            let (Some(least), Some(most), true) = (least, most, least <= most) else {
                 let needed = format!(
-                    "two whole numbers from 0 to {}, got {:?}",
+                    "two whole numbers from 0 to {}, the least first, got {:?}",
                     n - 1,
                     given.values("degrees")
                 );
