@@ -67,6 +67,19 @@ fn a_killed_run_goes_on_to_the_same_bytes_in_every_format() {
     }
 }
 
+/// A lattice of 4800 numbers, whose checkpoint has them as a text of bytes, after each 512 steps; and a fluid.
+#[test]
+#[ignore = "a fault, which .ci/run makes"]
+fn a_killed_run_of_arrays_goes_on_to_the_same_bytes() {
+    let lattice = "[system]\nkind = 'spin-lattice'\nparameters = { shape = [40, 40], exchange = 1 }\n\
+        initial = { tilt = 0.3 }\n[integrator]\nformulation = 'reduced'\nscheme = 'spherical-midpoint'\n\
+        step = 0.02\nend = 80\n[output]\nevery = 30\n";
+    kill_and_go_on(lattice, "a.npz", [0, 30]);
+    let fluid = "[system]\nkind = 'sphere-fluid'\nparameters = { size = 8 }\ninitial = { degrees = [1, 5] }\n\
+        [integrator]\nscheme = 'gauss-4'\nstep = 0.02\nend = 100\n[output]\nevery = 30\n";
+    kill_and_go_on(fluid, "a.csv", [0, 30]);
+}
+
 #[test]
 #[ignore = "a fault, which .ci/run makes"]
 fn a_killed_run_backward_in_time_goes_on_to_the_same_bytes() {
