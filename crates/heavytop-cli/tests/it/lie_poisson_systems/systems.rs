@@ -382,7 +382,7 @@ fn the_systems_of_the_help_and_of_the_guide_run() {
         }
         count += 1;
     }
-    assert_eq!(count, 13);
+    assert_eq!(count, 14);
 }
 
 /// A quantity without a value is an error that names the formula, the part without a value, and the state; before the
