@@ -2,7 +2,7 @@
 //!
 //! Source: *VTK File Formats*, the sections on XML formats. The first index along x is the fastest in the file.
 
-use super::ovf::{cells, in_order};
+use super::ovf::{bytes_in_order, cells};
 use std::io::{self, Write};
 
 /// The comment after the first line of every file.
@@ -29,12 +29,7 @@ pub(crate) fn write(
          </Piece>\n</ImageData>\n<AppendedData encoding=\"raw\">\n_"
     )?;
     to.write_all(&(bytes as u64).to_le_bytes())?;
-    let mut block = Vec::with_capacity(bytes);
-    for cell in in_order([nx, ny, nz]) {
-        let vector = numbers.get(cell * components..(cell + 1) * components).unwrap_or_default();
-        block.extend(vector.iter().flat_map(|x| x.to_le_bytes()));
-    }
-    to.write_all(&block)?;
+    to.write_all(&bytes_in_order([nx, ny, nz], components, numbers))?;
     to.write_all(b"\n</AppendedData>\n</VTKFile>\n")
 }
 

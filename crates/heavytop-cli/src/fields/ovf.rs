@@ -32,6 +32,13 @@ pub(super) fn in_order([nx, ny, nz]: [usize; 3]) -> impl Iterator<Item = usize> 
     (0..nz).flat_map(move |z| (0..ny).map(move |y| (z, y))).flat_map(along_x)
 }
 
+/// Returns the bytes of the vectors of an array in the order of the file, the lowest byte of each number first.
+pub(super) fn bytes_in_order(cells: [usize; 3], components: usize, numbers: &[f64]) -> Vec<u8> {
+    let vector = |cell: usize| numbers.get(cell * components..(cell + 1) * components);
+    let vectors = in_order(cells).filter_map(vector);
+    vectors.flatten().flat_map(|x| x.to_le_bytes()).collect()
+}
+
 /// Writes a field of vectors at a time.
 pub(crate) fn write(
     to: &mut impl Write,
@@ -52,12 +59,8 @@ pub(crate) fn write(
         labels.join(" "),
         " 1".repeat(components),
     )?;
-    let mut bytes = CHECK.to_le_bytes().to_vec();
-    for cell in in_order([nx, ny, nz]) {
-        let vector = numbers.get(cell * components..(cell + 1) * components).unwrap_or_default();
-        bytes.extend(vector.iter().flat_map(|x| x.to_le_bytes()));
-    }
-    to.write_all(&bytes)?;
+    to.write_all(&CHECK.to_le_bytes())?;
+    to.write_all(&bytes_in_order([nx, ny, nz], components, numbers))?;
     to.write_all(b"\n# End: Data Binary 8\n# End: Segment\n")
 }
 
