@@ -8,6 +8,22 @@ use lie_poisson_formula_systems::{FormulaSystemError, Parameter};
 
 /// A system by name whose states are arrays of any size: what its parameters are, and what a start is given by.
 ///
+/// ```text
+/// spin-lattice:      h = −Σ_i ( Σ_o J_o s_i·s_(i+o) + K (a·s_i)² + B·s_i ),              ds_i/dt = dh/ds_i × s_i
+/// vibrating-lattice: h = Σ_i [ p_i²/2m + ½κ(qᵢ₊₁ − q_i)² − (J − a(qᵢ₊₁ − q_i)) s_i·sᵢ₊₁ ],  the same, and q, p canonical
+/// vortices:          h = (1/4π) Σ_(i<j) k_i k_j ln(2 − 2 x_i·x_j),  m_i = k_i x_i,       dm_i/dt = m_i × dh/dm_i
+/// sphere-fluid:      h = −½ ∫ψ(ω − f),                                                   dW/dt = [P, W]/ħ
+/// ```
+///
+/// Spins have the plus bracket, {s_a, s_b} = ε_abc s_c, and vortices the minus bracket. Spins and their constants are numbers
+/// without units, strengths are in m²/s on the unit sphere, and the unit of time of fluids is arbitrary. The sources are those of
+/// [`HeisenbergLattice`], [`SpinLattice`], [`ManyVortices`] and [`Zeitlin`].
+///
+/// [`HeisenbergLattice`]: lie_poisson_systems::HeisenbergLattice
+/// [`SpinLattice`]: lie_poisson_systems::SpinLattice
+/// [`ManyVortices`]: lie_poisson_systems::ManyVortices
+/// [`Zeitlin`]: lie_poisson_systems::Zeitlin
+///
 /// # Example
 /// ```
 /// use lie_poisson_runs::{Arguments, ArrayKind};

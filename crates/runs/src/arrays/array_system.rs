@@ -78,7 +78,12 @@ impl ArraySystem {
     /// longitudes from 0 on; `None` if the system is no fluid on the sphere.
     #[must_use]
     pub fn on_circle(&self, state: &[f64], colatitude: f64, count: usize) -> Option<Vec<f64>> {
-        self.system.on_circle(state, colatitude, count)
+        self.fits(state).then(|| self.system.on_circle(state, colatitude, count))?
+    }
+
+    /// Returns whether a state has as many numbers as there are coordinates.
+    fn fits(&self, state: &[f64]) -> bool {
+        state.len() == self.dimension()
     }
 
     /// Returns the formulations that the system has, the default one first.
@@ -130,12 +135,17 @@ impl SystemScales for ArraySystem {
         blocks
     }
 
+    /// It is NaN for a state of another dimension.
     fn differential(&self, mu: &[f64]) -> Vec<f64> {
-        self.system.differential(mu)
+        match self.fits(mu) {
+            true => self.system.differential(mu),
+            false => vec![f64::NAN; mu.len()],
+        }
     }
 
+    /// It is NaN for a state of another dimension.
     fn fastest_rate(&self, mu: &[f64]) -> f64 {
-        self.system.fastest_rate(mu)
+        if self.fits(mu) { self.system.fastest_rate(mu) } else { f64::NAN }
     }
 }
 
@@ -168,7 +178,7 @@ impl Model for ArraySystem {
     }
 
     fn conserved(&self, _start: &[f64]) -> Box<dyn Conserved + '_> {
-        Box::new(Invariants(&*self.system))
+        Box::new(Invariants(self))
     }
 
     fn tangent_integrator(
@@ -203,7 +213,9 @@ impl Model for ArraySystem {
     }
 
     fn present(&self, momentum: &mut [f64]) {
-        self.system.present(momentum);
+        if self.fits(momentum) {
+            self.system.present(momentum);
+        }
     }
 
     fn formula(&self, conserved: &str) -> Option<String> {
@@ -212,15 +224,18 @@ impl Model for ArraySystem {
 }
 
 /// The conserved quantities of a system.
-struct Invariants<'a>(&'a dyn Arrays);
+struct Invariants<'a>(&'a ArraySystem);
 
 impl Conserved for Invariants<'_> {
     fn names(&self) -> Vec<String> {
-        self.0.invariant_names()
+        self.0.system.invariant_names()
     }
 
     fn append(&self, momentum: &[f64], values: &mut Vec<f64>) {
-        self.0.invariants(momentum, values);
+        match self.0.fits(momentum) {
+            true => self.0.system.invariants(momentum, values),
+            false => values.extend(self.names().iter().map(|_| f64::NAN)),
+        }
     }
 
     fn without_value(&self, momentum: &[f64]) -> String {

@@ -1,6 +1,7 @@
 //! Spins on a chain of atoms in motion: the equations, and their lift to C² for each spin.
 
 use collective_integrators::{AnyState, Integrator, Scheme, Start, Step, StepError, VectorField};
+use core::cell::RefCell;
 use lie_poisson::{Covector, Real, State, Vector};
 use momentum_map::{
     HopfRealisation, Lift, LiftError, PoissonMap, QuadraticMomentumMap, Side, So3OnC2,
@@ -111,16 +112,25 @@ fn spinor<T: Real>(state: &[T], i: usize) -> Vector2<Complex<T>> {
 }
 
 /// Returns the coordinates of (s, q, p) of those of (z, q, p) for so many atoms.
-fn momentum_of<T: Real>(state: &[T], count: usize) -> Vec<T> {
+fn momentum_of<T: Real>(state: &[T], count: usize) -> impl Iterator<Item = T> {
     let (spinors, atoms) = state.split_at(SPINOR * count);
     let spins = (0..count).map(|i| MAP.apply::<T>(&spinor(spinors, i)).0);
-    spins.flat_map(|s| [s.x, s.y, s.z]).chain(atoms.iter().copied()).collect()
+    spins.flat_map(|s| [s.x, s.y, s.z]).chain(atoms.iter().copied())
 }
 
 /// The equations of (z, q, p).
-struct LiftedField<'a>(&'a Chain);
+struct LiftedField<'a, T> {
+    chain: &'a Chain,
+    storage: &'a RefCell<Storage<T>>,
+}
 
-impl<T: Real> VectorField<T> for LiftedField<'_> {
+/// (s, q, p) of a point, and dh there.
+pub(super) struct Storage<T> {
+    momentum: Vec<T>,
+    differential: Vec<T>,
+}
+
+impl<T: Real> VectorField<T> for LiftedField<'_, T> {
     type Point = AnyState<T>;
 
     fn at(&self, state: &AnyState<T>) -> AnyState<T> {
@@ -131,12 +141,15 @@ impl<T: Real> VectorField<T> for LiftedField<'_> {
 
     fn at_into(&self, state: &AnyState<T>, rate: &mut AnyState<T>) {
         let (state, rate) = (state.as_slice(), rate.as_mut_slice());
-        let count = self.0.count;
-        let mut dh = vec![T::zero(); 5 * count];
-        self.0.differential(&momentum_of(state, count), &mut dh);
+        let count = self.chain.count;
+        let Storage { momentum, differential: dh } = &mut *self.storage.borrow_mut();
+        momentum.clear();
+        momentum.extend(momentum_of(state, count));
+        dh.resize(5 * count, T::zero());
+        self.chain.differential(momentum, dh);
         let (spinors, atoms) = rate.split_at_mut(SPINOR * count);
         for (i, to) in spinors.as_chunks_mut::<SPINOR>().0.iter_mut().enumerate() {
-            let moved = MAP.generator::<T>(&Chain::spin(&dh, i), &spinor(state, i));
+            let moved = MAP.generator::<T>(&Chain::spin(dh, i), &spinor(state, i));
             *to = core::array::from_fn(|k| moved.coordinate(k));
         }
         atoms.copy_from_slice(&dh[3 * count..]);
@@ -147,31 +160,33 @@ impl<T: Real> VectorField<T> for LiftedField<'_> {
 impl<S: Scheme, T: Real> Integrator<T> for LiftedChain<S> {
     type State = AnyState<T>;
     type Momentum = AnyState<T>;
-    type Workspace = S::Workspace<AnyState<T>>;
+    type Workspace = (S::Workspace<AnyState<T>>, RefCell<Storage<T>>);
 
     fn workspace(&self) -> Self::Workspace {
-        self.scheme.workspace()
+        let storage = Storage { momentum: Vec::new(), differential: Vec::new() };
+        (self.scheme.workspace(), RefCell::new(storage))
     }
 
     fn step(
         &self,
         state: &AnyState<T>,
         step: f64,
-        workspace: &mut Self::Workspace,
+        (workspace, storage): &mut Self::Workspace,
     ) -> Result<Step<AnyState<T>>, StepError> {
-        let made = self.scheme.step(&LiftedField(&self.chain), state, step, workspace)?;
+        let field = LiftedField { chain: &self.chain, storage };
+        let made = self.scheme.step(&field, state, step, workspace)?;
         match made.point.is_finite() {
             true => Ok(made),
             false => Err(StepError::NotFinite),
         }
     }
 
-    fn forget(&self, workspace: &mut Self::Workspace) {
+    fn forget(&self, (workspace, _): &mut Self::Workspace) {
         self.scheme.forget(workspace);
     }
 
     fn momentum(&self, state: &AnyState<T>) -> AnyState<T> {
-        AnyState::from_slice(&momentum_of(state.as_slice(), self.chain.count))
+        AnyState::from_slice(&momentum_of(state.as_slice(), self.chain.count).collect::<Vec<_>>())
     }
 }
 

@@ -1,6 +1,7 @@
 //! Runs of systems of arrays: starts, resumption, threads, units, and what is refused.
 
 use crate::array_systems::{after, lattice, system};
+use collective_integrators::diagnostics::SystemScales;
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson_runs::{
     Arguments, ArrayKind, ArraySystem, Experiment, Model, Pace, RunFailure, Saved, Schedule,
@@ -291,6 +292,9 @@ fn what_does_not_fit_is_refused_with_what_is_needed() {
         let error = system(kind, parameters).start_of(&given).unwrap_err().to_string();
         assert!(error.contains(&format!("{kind}: {name} must be left out beside")), "{error}");
     }
+    let together = none().list("positions", vec![0.0, 0.0, 1.0, 0.0, 0.0, 1.0]);
+    let error = system("vortices", &strengths).start_of(&together).unwrap_err().to_string();
+    assert!(error.contains("two vortices are at one place"), "{error}");
     let backward = none().list("degrees", vec![3.0, 1.0]);
     let error = system("sphere-fluid", &fluid).start_of(&backward).unwrap_err().to_string();
     assert!(error.contains("the least first, got [3.0, 1.0]"), "{error}");
@@ -305,4 +309,63 @@ fn what_does_not_fit_is_refused_with_what_is_needed() {
         lattice(&[3.0], 1.0).method(Some(Formulation::Splitting), SchemeName::Gauss(4), 0.0);
     assert!(error.unwrap_err().to_string().ends_with("it has collective, reduced, direct"));
     assert!(Model::start(&lattice(&[3.0], 1.0), &[0.0; 8]).is_err());
+}
+
+/// States of another dimension have no value, and nothing panics.
+#[test]
+fn states_of_another_dimension_are_nan() {
+    let systems = [
+        lattice(&[3.0], 1.0),
+        system("vortices", &Arguments::new().list("strengths", vec![1.0, 2.0])),
+        system("vibrating-lattice", &Arguments::new().number("atoms", 3.0).number("exchange", 1.0)),
+        system("sphere-fluid", &Arguments::new().number("size", 3.0)),
+    ];
+    for model in systems {
+        for count in [0, 1, model.dimension() - 1, model.dimension() + 1] {
+            let mut state = vec![0.5; count];
+            assert!(model.differential(&state).iter().all(|x| x.is_nan()));
+            assert!(model.fastest_rate(&state).is_nan() && model.rate(&state).is_err());
+            assert!(model.conserved(&state).values(&state).is_err());
+            assert!(model.on_circle(&state, 1.0, 4).is_none());
+            model.present(&mut state);
+            assert_eq!(state, vec![0.5; count]);
+        }
+    }
+}
+
+/// Vortices with strengths c k, and fluids with vorticities c ω, move as those with k and ω in 1/c of the time.
+#[test]
+fn vortices_and_fluids_have_no_units() {
+    let vortices = |c: f64| {
+        let strengths = [1.0, -0.7, 1.5].map(|k| c * k).to_vec();
+        let model = system("vortices", &Arguments::new().list("strengths", strengths));
+        let start = model.start_of(&Arguments::new().number("seed", 2.0)).unwrap();
+        let gauss = after(&model, &start, (None, SchemeName::Gauss(4)), (0.05 / c, 20));
+        let spherical = after(&model, &start, SPHERICAL, (0.05 / c, 20));
+        [gauss, spherical].concat()
+    };
+    let fluid = |c: f64| {
+        let model = system("sphere-fluid", &Arguments::new().number("size", 6.0));
+        let given = Arguments::new().list("degrees", vec![1.0, 4.0]).number("rms", c);
+        let start = model.start_of(&given).unwrap();
+        after(&model, &start, (None, SchemeName::Gauss(2)), (0.05 / c, 20))
+    };
+    let atoms = |c: f64| {
+        // S, q and J without units; p, m and κ by c, c and 1/c of the time.
+        let given =
+            Arguments::new().number("atoms", 4.0).number("mass", 1.0 / c).number("stiffness", c);
+        let given = given.number("exchange", c).number("coupling", 0.5 * c);
+        let model = system("vibrating-lattice", &given);
+        let start = model.start_of(&Arguments::new().number("tilt", 1.0)).unwrap();
+        let end = after(&model, &start, (None, SchemeName::Gauss(4)), (0.05 / c, 20));
+        end[..16].iter().map(|x| c * x).collect()
+    };
+    let all: [&dyn Fn(f64) -> Vec<f64>; 3] = [&vortices, &fluid, &atoms];
+    for motion in all {
+        let expected = motion(1.0);
+        for c in [1e-30, 1e30] {
+            let equal = |(x, y): (&f64, &f64)| (x / c - y).abs() < 1e-12;
+            assert!(motion(c).iter().zip(&expected).all(equal), "{c:e}");
+        }
+    }
 }

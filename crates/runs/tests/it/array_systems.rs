@@ -87,7 +87,7 @@ proptest! {
         prop_assert!((conserved.values(&m).unwrap()[0] - formula.invariants(&m).unwrap()[0]).abs() < 1e-12);
     }
 
-    /// The differential is that of dual numbers, and the rate ṡ = dh × s, q̇ = ∂h/∂p, ṗ = −∂h/∂q of it.
+    /// The differential is that of dual numbers, and the rate ds/dt = dh/ds × s, dq/dt = dh/dp, dp/dt = −dh/dq of it.
     #[test]
     fn a_vibrating_lattice_has_the_equations_of_the_gallery(z in proptest::collection::vec(-2.0..2.0, 20)) {
         let lattice = SpinLattice::<4>::new(1.5, 2.0, 1.0, 0.5).unwrap();

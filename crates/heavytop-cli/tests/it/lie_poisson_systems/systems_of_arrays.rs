@@ -152,7 +152,7 @@ fn arrays_have_the_shapes_of_the_field() {
     }
 }
 
-/// What is exported is what was computed, with the first index along x, and a run goes on from it with the same bits.
+/// Exported files hold the spins of the run, with the first index along x. A run that starts from them has the same bits.
 #[test]
 fn a_run_goes_on_from_its_files() {
     let folder = Folder::new();

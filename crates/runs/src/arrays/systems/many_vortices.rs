@@ -3,7 +3,7 @@
 use crate::arrays::any_arrays::Made;
 use crate::arrays::arguments::Given;
 use crate::arrays::directions::Directions;
-use crate::arrays::sites::{SitesSystem, numbers};
+use crate::arrays::sites::{SitesSystem, momenta, numbers};
 use crate::arrays::sites_arrays::{SitesArrays, Started};
 use crate::arrays::systems::spin_lattice::seed;
 use core::f64::consts::PI;
@@ -92,5 +92,9 @@ fn start(vortices: &SitesArrays, given: &Given<'_>) -> Started {
             return Err(given.refused(name, needed));
         }
     }
-    Ok(if name == "m" { values.to_vec() } else { times_strengths(&vectors) })
+    let m = if name == "m" { values.to_vec() } else { times_strengths(&vectors) };
+    match vortices.system.energy(&momenta(&m)).is_finite() {
+        true => Ok(m),
+        false => Err(given.refused(name, "apart; two vortices are at one place".into())),
+    }
 }
