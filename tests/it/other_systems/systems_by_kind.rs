@@ -9,7 +9,7 @@ use lie_poisson_systems::{
     GeneralisedRigidBody, Gyrostat, HeisenbergChain, KidaVortex, Kirchhoff, MovableBaseAlgebra,
     MovableBaseTop, PointVortices, So21,
 };
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Matrix6, Vector3};
 use proptest::prelude::*;
 
 /// A rounding error of some dozen operations, relative to the size of the rates.
@@ -95,6 +95,28 @@ proptest! {
         };
         let fluid = system("body-in-fluid", &[("inertia", &inertia), ("masses", &masses)]);
         has_rate(&fluid, &z[..6], &kirchhoff(masses), &kirchhoff([3.0, 3.0, 2.0]));
+
+        // A propeller: I, M and D in axes that are no planes of symmetry.
+        let propeller = |scale: f64| {
+            let tilted = |diagonal: [f64; 3]| Matrix3::from_diagonal(&diagonal.into()) + Matrix3::repeat(0.2);
+            (tilted(inertia), tilted(masses), Matrix3::from_row_slice(&r.map(|x| [scale * x, 0.1, -0.2]).concat()))
+        };
+        let compiled = |scale| {
+            let (i, m, d) = propeller(scale);
+            let mut whole = Matrix6::zeros();
+            whole.fixed_view_mut::<3, 3>(0, 0).copy_from(&i);
+            whole.fixed_view_mut::<3, 3>(0, 3).copy_from(&d);
+            whole.fixed_view_mut::<3, 3>(3, 0).copy_from(&d.transpose());
+            whole.fixed_view_mut::<3, 3>(3, 3).copy_from(&m);
+            let inverse = whole.try_inverse().unwrap();
+            let block = |row, column| inverse.fixed_view::<3, 3>(row, column).into_owned();
+            let even = |matrix: Matrix3<f64>| (matrix + matrix.transpose()) * 0.5;
+            rate_of(space(), Kirchhoff::new(even(block(0, 0)), block(0, 3), even(block(3, 3))).unwrap(), &z[..6])
+        };
+        let (i, m, d) = propeller(0.5);
+        let rows = |matrix: Matrix3<f64>| matrix.transpose().as_slice().to_vec();
+        let given = [("inertia", &*rows(i)), ("masses", &*rows(m)), ("coupling", &*rows(d))];
+        has_rate(&system("body-in-fluid", &given), &z[..6], &compiled(0.5), &compiled(0.2));
 
         let top = |base| {
             let top = MovableBaseTop::new(inertia.into(), [0.8, base], 9.8, r.into()).unwrap();
@@ -189,7 +211,7 @@ fn systems_of_the_catalogue_are_what_they_say() {
             match parameter.shape {
                 _ if parameter.default.is_some() => Ok(all),
                 ParameterShape::Vector(count) => all.vector(parameter.name, &vec![1.5; count]),
-                ParameterShape::List => all.vector(parameter.name, &[1.5; 4]),
+                ParameterShape::List => all.vector(parameter.name, &[1.5; 3]),
                 // The number of spins is a whole one, and a small mass leaves the moments positive.
                 ParameterShape::Number | ParameterShape::NumberOrList => {
                     all.number(parameter.name, if parameter.name == "mass" { 0.1 } else { 2.0 })
@@ -235,6 +257,17 @@ fn values_that_make_no_system_are_refused() {
         ("center_of_mass", &[0.0, 0.0, 1.0]),
     ];
     assert!(message("top-on-base", &top).starts_with("top-on-base: inertia must be larger than"));
+    let fluid = |inertia: &[f64], coupling: &[f64]| {
+        let given = [("inertia", inertia), ("masses", &[1.0; 3][..]), ("coupling", coupling)];
+        message("body-in-fluid", &given[..if coupling.is_empty() { 2 } else { 3 }])
+    };
+    assert!(fluid(&[1.0; 4], &[]).contains("inertia must be 3 or 9 numbers, got 4"));
+    assert!(fluid(&[1.0; 3], &[1.0; 3]).contains("coupling must be 9 numbers, got 3"));
+    let leaning = [1.0, 0.5, 0.0, 0.4, 1.0, 0.0, 0.0, 0.0, 1.0];
+    assert!(fluid(&leaning, &[]).contains("a symmetric matrix; it differs by 0.1"));
+    // |D| > √(I M): some motion would have a negative energy.
+    let large = [1.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    assert!(fluid(&[1.0; 3], &large).contains("the energy of every motion is positive"));
     assert!(message("vortices", &[("strengths", &[1.0, 0.0])]).contains("other than 0"));
     assert!(message("vortices", &[("strengths", &[1.0; 90])]).contains("1 to 48 numbers, got 90"));
     assert!(

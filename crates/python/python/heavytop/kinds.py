@@ -14,19 +14,23 @@ from .system_description import State
 
 
 class BodyInFluid(System):
-    """Kirchhoff's rigid body with three planes of symmetry in an ideal fluid; coordinates Pi and P.
+    """Kirchhoff's rigid body in an ideal fluid; coordinates Pi, the impulsive couple, and P, the impulse.
+
+    The energy at the velocities Omega and v is Omega.I Omega/2 + Omega.D v + v.M v/2.
 
     Args:
-        inertia: the three moments of body and fluid, kg m^2.
-        masses: the three masses of body and fluid along the axes, kg.
+        inertia: I of body and fluid, kg m^2: its three moments, or an array of shape (3, 3).
+        masses: M of body and fluid, kg: three masses along the axes, or an array of shape (3, 3).
+        coupling: D, kg m, an array of shape (3, 3); 0 for a body with three planes of symmetry.
 
     Example:
         >>> BodyInFluid([1, 2, 3], [1, 2, 4]).casimirs
         {'c1': 'Pi·P', 'c2': '|P|^2'}
     """
 
-    def __init__(self, inertia: ArrayLike, masses: ArrayLike) -> None:
-        super().__init__(kind="body-in-fluid", parameters={"inertia": inertia, "masses": masses})
+    def __init__(self, inertia: ArrayLike, masses: ArrayLike, coupling: Optional[ArrayLike] = None) -> None:
+        parameters = {"inertia": inertia, "masses": masses, **({} if coupling is None else {"coupling": coupling})}
+        super().__init__(kind="body-in-fluid", parameters=parameters)
 
 
 class EllipticalVortex(System):

@@ -168,7 +168,7 @@ Another Lie–Poisson system instead of a top, by its algebra and a formula:
   initial = { positions = [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }
 
 Kinds, and their parameters (* if they may be left out):
-  body-in-fluid       inertia, masses; coordinates Pi, P
+  body-in-fluid       inertia, masses, coupling*; coordinates Pi, P
   body-with-rotors    I, J; coordinates Pi, l
   elliptical-vortex   strength, strain*, rotation*; initial mu, or a, b, angle*
   gyrostat            inertia, weight, center_of_mass, rotor; coordinates Pi, Gamma
