@@ -50,13 +50,17 @@ pub enum FormulaSystemError {
         kinds: Vec<String>,
     },
     /// A parameter of a system by name is missing, has another number of components, or is none of its parameters.
-    #[error("{name} is wrong, missing or none of its parameters: {kind} has {}", has.join(", "))]
+    #[error("{kind}: {problem}{} There are {}", if problem.ends_with('?') { "" } else { "." }, has.join(", "))]
     KindParameter {
         /// The name of the system.
         kind: &'static str,
+        /// Whether it is a part of the start.
+        is_start: bool,
         /// The name of the parameter.
         name: String,
-        /// The parameters of the system.
+        /// What is wrong with it.
+        problem: String,
+        /// The parameters of the system, or of its start.
         has: Vec<String>,
     },
     /// A parameter of a system by name, or a part of its start, has a value that it cannot have.

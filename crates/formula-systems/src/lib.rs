@@ -31,7 +31,7 @@
 //! | structure constants from a text, one per line | [`structure_table`] |
 //! | the coordinates of a state by their names | [`SystemAlgebra::state`] |
 //! | a Hamiltonian on it as text, and the Casimirs | [`FormulaSystem`] |
-//! | a system by name, or to add one | [`SystemKind`], [`Parameter`], [`ParameterShape`], [`KindStart`] |
+//! | a system by name, or to add one | [`SystemKind`], [`Parameter`], [`ParameterShape`], [`KindStart`], [`require_parameters`] |
 //! | a realisation of your own, by matrices, and what it obeys | [`QuadraticMomenta`], [`Verdict`], [`SystemAlgebra::with_realisation`] |
 //! | the formulations that an algebra has, a method of one | [`SystemAlgebra::formulations`], [`SystemAlgebra::method`] |
 //! | the integrator of a [`Method`](heavytop::methods::Method) by name | [`FormulaSystem::tangent_integrator`] |
@@ -69,7 +69,8 @@ mod sections;
 
 pub use algebras::structure_table::{StructureTableError, structure_table};
 pub use algebras::system_algebra::SystemAlgebra;
-pub use catalogue::system_kind::{KindStart, Parameter, ParameterShape, SystemKind};
+pub use catalogue::parameter::{Parameter, ParameterShape, require_parameters};
+pub use catalogue::system_kind::{KindStart, SystemKind};
 pub use error::FormulaSystemError;
 pub use realisations::quadratic_momenta::QuadraticMomenta;
 pub use realisations::verdict::Verdict;

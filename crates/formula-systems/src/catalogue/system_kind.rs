@@ -1,5 +1,6 @@
 //! A system by name: [`SystemKind`].
 
+use super::parameter::{Parameter, ParameterShape, require_parameters};
 use crate::algebras::system_algebra::SystemAlgebra;
 use crate::error::FormulaSystemError;
 use crate::systems::formula_system::FormulaSystem;
@@ -35,32 +36,6 @@ pub struct SystemKind {
     pub(super) describe: fn(&Given<'_>) -> Result<Description, KindError>,
     /// Another way to give a start than by the coordinates.
     pub start: Option<KindStart>,
-}
-
-/// A parameter of a system.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameter {
-    /// The name in the Hamiltonian.
-    pub name: &'static str,
-    /// Whether it is a number, or how many numbers it is.
-    pub shape: ParameterShape,
-    /// What it is, with its unit.
-    pub about: &'static str,
-    /// The numbers that it is unless others are given; `None` if it must be given.
-    pub default: Option<&'static [f64]>,
-}
-
-/// Whether a parameter is a number or a vector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ParameterShape {
-    /// One number.
-    Number,
-    /// A vector of so many numbers.
-    Vector(usize),
-    /// As many numbers as are given.
-    List,
-    /// One number, or as many as are given.
-    NumberOrList,
 }
 
 /// A start that is not given by the coordinates, such as positions of vortices.
@@ -208,9 +183,15 @@ impl SystemKind {
         given: &Parameters,
     ) -> Option<Result<Vec<f64>, FormulaSystemError>> {
         let start = self.start?;
-        let is_own = |(name, _): (&str, _)| start.given.iter().any(|own| own.name == name);
-        given.shapes().any(is_own).then(|| {
-            require(self.name, start.given, given)?;
+        let shapes: Vec<_> = given.shapes().collect();
+        let is_own = |name: &str| start.given.iter().any(|own| own.name == name);
+        let coordinates = self.description(parameters).map(|own| own.algebra.coordinates().clone());
+        let is_coordinate =
+            |name: &str| coordinates.as_ref().is_ok_and(|own| own.places(name).is_some());
+        let is_start = shapes.is_empty()
+            || shapes.iter().any(|(name, _)| is_own(name) || !is_coordinate(name));
+        is_start.then(|| {
+            require_parameters((self.name, true), start.given, &shapes)?;
             let system = Given { all: self.parameters, values: parameters };
             let own = Given { all: start.given, values: given };
             (start.coordinates)(&system, &own).map_err(|error| self.refused(error))
@@ -218,7 +199,8 @@ impl SystemKind {
     }
 
     fn description(&self, parameters: &Parameters) -> Result<Description, FormulaSystemError> {
-        require(self.name, self.parameters, parameters)?;
+        let shapes: Vec<_> = parameters.shapes().collect();
+        require_parameters((self.name, false), self.parameters, &shapes)?;
         let given = Given { all: self.parameters, values: parameters };
         (self.describe)(&given).map_err(|error| self.refused(error))
     }
@@ -230,96 +212,5 @@ impl SystemKind {
             }
             KindError::System(error) => *error,
         }
-    }
-}
-
-/// Checks that values are those of these parameters.
-fn require(
-    kind: &'static str,
-    all: &'static [Parameter],
-    values: &Parameters,
-) -> Result<(), FormulaSystemError> {
-    let wrong = |name: &str| FormulaSystemError::KindParameter {
-        kind,
-        name: name.to_owned(),
-        has: all.iter().map(Parameter::described).collect(),
-    };
-    let given: Vec<(&str, Option<usize>)> = values.shapes().collect();
-    for own in all {
-        let found = given.iter().find(|(name, _)| *name == own.name).map(|(_, shape)| shape);
-        let fits = found.map_or(own.default.is_some(), |found| own.shape.allows(*found));
-        if !fits {
-            return Err(wrong(own.name));
-        }
-    }
-    let is_own = |name: &str| all.iter().any(|own| own.name == name);
-    given.iter().find(|(name, _)| !is_own(name)).map_or(Ok(()), |(name, _)| Err(wrong(name)))
-}
-
-impl ParameterShape {
-    /// Returns whether a parameter may be a number, for `None`, or a vector of so many components.
-    #[must_use]
-    pub fn allows(self, components: Option<usize>) -> bool {
-        match self {
-            Self::Number => components.is_none(),
-            Self::Vector(count) => components == Some(count),
-            Self::List => components.is_some(),
-            Self::NumberOrList => true,
-        }
-    }
-}
-
-impl Parameter {
-    const fn new(name: &'static str, shape: ParameterShape, about: &'static str) -> Self {
-        Self { name, shape, about, default: None }
-    }
-
-    /// A number that must be given.
-    #[must_use]
-    pub const fn number(name: &'static str, about: &'static str) -> Self {
-        Self::new(name, ParameterShape::Number, about)
-    }
-
-    /// A vector that must be given.
-    #[must_use]
-    pub const fn vector(name: &'static str, count: usize, about: &'static str) -> Self {
-        Self::new(name, ParameterShape::Vector(count), about)
-    }
-
-    /// Numbers that must be given, as many as there are.
-    #[must_use]
-    pub const fn list(name: &'static str, about: &'static str) -> Self {
-        Self::new(name, ParameterShape::List, about)
-    }
-
-    /// One number or several, which must be given.
-    #[must_use]
-    pub const fn number_or_list(name: &'static str, about: &'static str) -> Self {
-        Self::new(name, ParameterShape::NumberOrList, about)
-    }
-
-    /// The parameter with values that it has unless others are given.
-    #[must_use]
-    pub const fn or(self, default: &'static [f64]) -> Self {
-        Self { default: Some(default), ..self }
-    }
-
-    /// Describes the parameter: its name, how many numbers it is, what it is, and what it is unless given.
-    #[must_use]
-    pub fn described(&self) -> String {
-        let Self { name, shape, about, default } = self;
-        let shape = match shape {
-            ParameterShape::Number => String::new(),
-            ParameterShape::Vector(count) => format!(" of {count} numbers"),
-            ParameterShape::List => " of any number of numbers".into(),
-            ParameterShape::NumberOrList => ", a number or several".into(),
-        };
-        let default = match default {
-            None => String::new(),
-            Some([value]) => format!("; {value} unless given"),
-            Some([]) => "; none unless given".into(),
-            Some(values) => format!("; {values:?} unless given"),
-        };
-        format!("{name}{shape} ({about}{default})")
     }
 }

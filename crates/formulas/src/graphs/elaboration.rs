@@ -4,7 +4,7 @@ use super::graph::{Graph, Id, Unary};
 use crate::names::letters::RESERVED;
 use crate::names::vocabulary::{Meaning, Vocabulary};
 use crate::text::formula_error::{FormulaError, Problem, Shape};
-use crate::text::suggestion::closest;
+use crate::text::suggestion::closest_name;
 use crate::text::syntax::{Function, Operator, Part, Syntax};
 use crate::text::token::Comparison;
 
@@ -129,7 +129,7 @@ impl Elaboration<'_> {
             }
             None => {
                 let known = self.names.names().chain(RESERVED.iter().copied());
-                let suggestion = closest(name, known);
+                let suggestion = closest_name(name, known);
                 return Err(Problem::UnknownName { name: name.to_owned(), suggestion });
             }
         })

@@ -1,7 +1,7 @@
 //! Formulas that a program builds, without text: [`Expressions`].
 
 use super::formula_error::{FormulaError, Problem};
-use super::suggestion::closest;
+use super::suggestion::closest_name;
 use super::syntax::{Function, Operator, Part, Syntax};
 use super::token::Comparison;
 use crate::names::letters::canonical;
@@ -130,7 +130,7 @@ impl Expressions {
         let named = Function::NAMES.iter().find(|(known, _)| *known == function);
         let Some(&(_, function)) = named else {
             let known = Function::NAMES.iter().map(|(name, _)| *name);
-            let suggestion = closest(&name, known);
+            let suggestion = closest_name(&name, known);
             return fail(Problem::UnknownFunction { name, suggestion });
         };
         let (expected, found) = (function.arguments(), arguments.len());

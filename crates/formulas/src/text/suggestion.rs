@@ -8,7 +8,15 @@ const LONGEST: usize = 64;
 /// Returns the closest name, if it is close: one change in a short name, or a third of the letters.
 ///
 /// A name that differs only between capital and small letters is closest.
-pub(crate) fn closest<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Option<String> {
+///
+/// # Example
+/// ```
+/// use lie_poisson_formulas::closest_name;
+/// let names = ["inertia", "mass", "gravity"];
+/// assert_eq!(closest_name("intertia", names.into_iter()).as_deref(), Some("inertia"));
+/// assert_eq!(closest_name("colour", names.into_iter()), None);
+/// ```
+pub fn closest_name<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> Option<String> {
     let length = name.chars().count();
     if length > LONGEST {
         return None;

@@ -10,6 +10,9 @@ use lie_poisson_formula_systems::FormulaSystemError;
 /// The system that parameters describe.
 pub(super) type Made = Result<Box<dyn Arrays>, FormulaSystemError>;
 
+/// The state at a start, in the arrays of the users.
+pub(super) type Started = Result<Vec<f64>, FormulaSystemError>;
+
 /// An array of a state: its name, and its shape, the last index of which is the fastest.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct ArrayShape {
@@ -76,7 +79,7 @@ pub(super) trait Arrays: fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// If they give none.
-    fn start(&self, given: &Given<'_>) -> Result<Vec<f64>, FormulaSystemError>;
+    fn start(&self, given: &Given<'_>) -> Started;
 
     /// Replaces a state by what users read, of the same size.
     fn present(&self, _state: &mut [f64]) {}

@@ -1,8 +1,11 @@
 //! Numbers by name, as many as there are: [`Arguments`].
 
-use lie_poisson_formula_systems::{FormulaSystemError, Parameter};
+use lie_poisson_formula_systems::{FormulaSystemError, Parameter, require_parameters};
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
+
+/// The largest seed, up to which a number of a configuration is exact.
+const MOST_SEED: usize = 1_000_000_000_000_000;
 
 /// Numbers and lists of numbers by name, from which a system of arrays and its start are made. A list may have millions.
 ///
@@ -58,28 +61,17 @@ impl<'a> Given<'a> {
     /// # Errors
     /// If one is missing, unknown, of another shape or not finite.
     pub(super) fn new(
-        kind: &'static str,
+        (kind, is_start): (&'static str, bool),
         table: &'static [Parameter],
         arguments: &'a Arguments,
     ) -> Result<Self, FormulaSystemError> {
-        let wrong = |name: &str| FormulaSystemError::KindParameter {
-            kind,
-            name: name.to_owned(),
-            has: table.iter().map(Parameter::described).collect(),
-        };
-        for own in table {
-            let fits = arguments.0.get(own.name).map_or(own.default.is_some(), |found| {
-                own.shape.allows(found.is_list.then_some(found.values.len()))
-            });
-            if !fits {
-                return Err(wrong(own.name));
-            }
-        }
+        let shape = |argument: &Argument| argument.is_list.then_some(argument.values.len());
+        let shapes: Vec<_> = arguments.0.iter().map(|(name, own)| (&**name, shape(own))).collect();
+        require_parameters((kind, is_start), table, &shapes)?;
         for (name, argument) in &arguments.0 {
-            let Some(own) = table.iter().find(|own| own.name == name) else {
-                return Err(wrong(name));
-            };
-            if let Some(value) = argument.values.iter().find(|value| !value.is_finite()) {
+            let own = table.iter().find(|own| own.name == name);
+            let odd = argument.values.iter().find(|value| !value.is_finite());
+            if let (Some(own), Some(value)) = (own, odd) {
                 let needed = format!("finite, got {value}");
                 return Err(FormulaSystemError::KindValue { kind, name: own.name, needed });
             }
@@ -128,6 +120,14 @@ impl<'a> Given<'a> {
     pub(super) fn vector(&self, name: &str) -> Vector3<f64> {
         let values = self.values(name);
         Vector3::from_fn(|i, _| values.get(i).copied().unwrap_or(f64::NAN))
+    }
+
+    /// Returns the seed of a random start.
+    ///
+    /// # Errors
+    /// If it is no whole number.
+    pub(super) fn seed(&self) -> Result<u64, FormulaSystemError> {
+        Ok(self.whole("seed", [0, MOST_SEED])? as u64)
     }
 
     /// Returns a parameter that is a whole number in a range.

@@ -94,7 +94,7 @@ impl ArrayKind {
         &'static self,
         parameters: &Arguments,
     ) -> Result<ArraySystem, FormulaSystemError> {
-        let given = Given::new(self.name, self.parameters, parameters)?;
+        let given = Given::new((self.name, false), self.parameters, parameters)?;
         let Self { name, about, start, .. } = *self;
         Ok(ArraySystem::new((name, about), start, (self.make)(&given)?))
     }

@@ -60,7 +60,7 @@ impl ArraySystem {
     /// # Errors
     /// Returns [`FormulaSystemError`] as [`ArrayKind::system`](crate::ArrayKind::system) does.
     pub fn start_of(&self, given: &Arguments) -> Result<Vec<f64>, FormulaSystemError> {
-        self.system.start(&Given::new(self.name(), self.start, given)?)
+        self.system.start(&Given::new((self.name(), true), self.start, given)?)
     }
 
     /// Returns the rate dμ/dt of a state, both in the arrays of the users.

@@ -7,6 +7,6 @@ mod any_arrays;
 mod directions;
 mod renewed;
 mod sites;
-mod sites_arrays;
-mod spins_on_atoms;
+mod chains;
+mod fluids;
 mod systems;

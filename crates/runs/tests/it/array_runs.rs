@@ -155,7 +155,7 @@ fn random_starts_are_uniform_and_determined_by_their_seed() {
     assert_ne!(start(1.0, 2.0), start(1.0, 3.0));
     // Vortices keep apart.
     let vortices = system("vortices", &Arguments::new().list("strengths", vec![1.0; 300]));
-    let m = vortices.start_of(&Arguments::new()).unwrap();
+    let m = vortices.start_of(&Arguments::new().number("seed", 0.0)).unwrap();
     let m: Vec<_> = m.as_chunks::<3>().0.iter().map(|x| Vector3::from(*x)).collect();
     let nearest = (0..m.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
     let nearest = nearest.map(|(i, j)| (m[i] - m[j]).norm_squared()).fold(f64::INFINITY, f64::min);
@@ -204,9 +204,17 @@ fn what_does_not_fit_is_refused_with_what_is_needed() {
     let fluid = Arguments::new().number("size", 4.0);
     let none = Arguments::new;
     let parameters = [
-        ("spin-lattice", none(), "shape is wrong, missing"),
-        ("spin-lattice", spins.clone().number("J", 1.0), "J is wrong, missing or none"),
-        ("spin-lattice", spins.clone().number("field", 1.0), "field is wrong, missing"),
+        ("spin-lattice", spins.clone().number("exchagne", 1.0), "did you mean exchange?"),
+        ("spin-lattice", none().list("shape", vec![3.0]), "without them nothing moves"),
+        ("spin-lattice", spins.clone().list("periodic", vec![1.0, 0.5]), "0 or 1, got 0.5"),
+        ("spin-lattice", spins.clone().list("periodic", vec![1.0; 3]), "each of 2 axes, got 3"),
+        ("spin-lattice", none(), "shape is missing. There are shape of any"),
+        ("spin-lattice", spins.clone().number("J", 1.0), "there is no J. There are"),
+        (
+            "spin-lattice",
+            spins.clone().number("field", 1.0),
+            "field must be a list of 3, got one number",
+        ),
         ("spin-lattice", spins.clone().list("shape", vec![2.5]), "got [2.5]"),
         ("spin-lattice", spins.clone().list("shape", vec![1e5; 3]), "at most 268435456 spins"),
         (
@@ -220,7 +228,7 @@ fn what_does_not_fit_is_refused_with_what_is_needed() {
             spins.clone().list("bonds", vec![0.5, 0.0, 0.0, 1.0]),
             "whole numbers of cells",
         ),
-        ("spin-lattice", spins.clone().list("axis", vec![0.0; 3]), "axis must not be zero"),
+        ("spin-lattice", spins.clone().list("axis", vec![0.0; 3]), "axis must be different from 0"),
         ("spin-lattice", spins.clone().number("anisotropy", f64::NAN), "finite, got NaN"),
         ("vortices", strengths.clone().list("strengths", vec![1.0, 0.0]), "strength"),
         ("vortices", none().list("strengths", vec![]), "at least one number, got none"),
@@ -244,7 +252,12 @@ fn what_does_not_fit_is_refused_with_what_is_needed() {
         ("spin-lattice", &spins, none().list("direction", vec![0.0; 3]), "different from 0"),
         ("spin-lattice", &spins, none().list("waves", vec![1.0]), "each of 2 axes, got 1"),
         ("spin-lattice", &spins, none().number("tilt", 4.0), "from 0 to pi, got 4"),
-        ("spin-lattice", &spins, none().number("seed", 0.5), "a whole number from 0 to"),
+        (
+            "spin-lattice",
+            &spins,
+            none().number("tilt", 1.0).number("seed", 0.5),
+            "a whole number from 0 to",
+        ),
         (
             "vortices",
             &strengths,
@@ -259,19 +272,53 @@ fn what_does_not_fit_is_refused_with_what_is_needed() {
             "number 2 is 0.5",
         ),
         ("vibrating-lattice", &chain, none().list("q", vec![1.0; 3]), "each of 4 atoms, got 3"),
-        ("sphere-fluid", &fluid, none(), "rows of four numbers"),
+        ("spin-lattice", &spins, none(), "S must be given, or direction"),
+        ("spin-lattice", &spins, none().list("waves", vec![1.0, 0.5]), "got 0.5"),
+        (
+            "spin-lattice",
+            &spins,
+            none().list("waves", vec![1.0, 0.0]),
+            "cone must be larger than 0",
+        ),
+        (
+            "spin-lattice",
+            &spins,
+            none().number("tillt", 0.1),
+            "there is no tillt; did you mean tilt?",
+        ),
+        ("vortices", &strengths, none(), "positions must be given, or m"),
+        ("sphere-fluid", &fluid, none(), "coefficients must be given, or degrees"),
+        ("sphere-fluid", &fluid, none().list("coefficients", vec![1.0; 3]), "rows of four numbers"),
+        (
+            "sphere-fluid",
+            &fluid,
+            none().list("coefficients", vec![0.0, 0.0, 1.0, 0.0]),
+            "got l = 0",
+        ),
+        (
+            "sphere-fluid",
+            &fluid,
+            none().list("coefficients", vec![2.0, 0.0, 1.0, 7.0]),
+            "got im = 7",
+        ),
+        (
+            "sphere-fluid",
+            &fluid,
+            none().list("degrees", vec![1.0, 2.0]).number("rms", -1.0),
+            "rms must be positive, got -1",
+        ),
         ("sphere-fluid", &fluid, none().list("omega", vec![1.0; 15]), "shape [4, 4], got 15"),
         (
             "sphere-fluid",
             &fluid,
             none().list("degrees", vec![1.0, 4.0]),
-            "from 0 to 3, the least first, got [1.0, 4.0]",
+            "from 1 to 3, the least first, got [1.0, 4.0]",
         ),
         (
             "sphere-fluid",
             &fluid,
             none().list("coefficients", vec![1.0, 2.0, 1.0, 0.0]),
-            "m from 0 to l, got 1 and 2",
+            "m from 0 to l, got l = 1, m = 2",
         ),
     ];
     for (kind, parameters, given, said) in starts {

@@ -73,6 +73,58 @@ proptest! {
         }
     }
 
+    /// A chain with open ends is that of the formula, also with bonds beyond neighbours and along one of two axes.
+    #[test]
+    fn an_open_chain_has_the_rates_of_its_formula(s in numbers(), j in 0.5..2.0, k in -1.0..1.0) {
+        let parameters = Parameters::new().number("spins", 6.0).unwrap().number("exchange", j).unwrap();
+        let parameters = parameters.number("anisotropy", k).unwrap().number("periodic", 0.0).unwrap();
+        let formula = SystemKind::named("spin-chain").unwrap().system(&parameters).unwrap();
+        let expected = (formula.rate(&s).unwrap(), SystemScales::differential(&formula, &s));
+        let given = Arguments::new().number("anisotropy", k).number("exchange", j);
+        let open = given.clone().list("shape", vec![6.0]).number("periodic", 0.0);
+        let back = Arguments::new().number("anisotropy", k).list("bonds", vec![-1.0, 0.0, 0.0, j]);
+        // The other axis has one spin, and is no ring with itself.
+        let flat = given.list("shape", vec![6.0, 1.0]).list("periodic", vec![0.0, 0.0]);
+        for given in [open, back.list("shape", vec![6.0]).number("periodic", 0.0), flat] {
+            let chain = system("spin-lattice", &given);
+            prop_assert!(largest(&chain.rate(&s).unwrap(), &expected.0) < 1e-13);
+            prop_assert!(largest(&chain.differential(&s), &expected.1) < 1e-13);
+            let h = chain.conserved(&s).values(&s).unwrap()[0];
+            prop_assert!((h - formula.hamiltonian().value_at(&s)).abs() < 1e-12);
+        }
+        // Control: a ring has another rate.
+        prop_assert!(largest(&lattice(&[6.0], j).rate(&s).unwrap(), &expected.0) > 1e-9);
+    }
+
+    /// On a lattice of 3 by 4 with an open axis, the bonds are those between cells that are inside.
+    #[test]
+    fn bonds_beyond_an_open_end_are_no_bonds(s in proptest::collection::vec(-2.0..2.0, 36), open in 0..2_usize) {
+        let periodic: Vec<f64> = (0..2).map(|axis| if axis == open { 0.0 } else { 1.0 }).collect();
+        let given = Arguments::new().list("shape", vec![3.0, 4.0]).list("periodic", periodic.clone());
+        let bonds = [[1.0, -2.0, 0.0, 0.7], [0.0, 3.0, 0.0, -0.4], [2.0, 1.0, 0.0, 0.9]];
+        let model = system("spin-lattice", &given.list("exchange", vec![1.0, 0.5]).list("bonds", bonds.concat()));
+        let at = |cell: [i64; 2]| {
+            let inside = [3, 4].iter().zip(cell).zip(&periodic).all(|((n, c), p)| *p == 1.0 || (0..*n).contains(&c));
+            let i = (cell[0].rem_euclid(3) * 4 + cell[1].rem_euclid(4)) as usize;
+            inside.then(|| Vector3::from_row_slice(&s[3 * i..3 * i + 3]))
+        };
+        let all = [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 0.5]].into_iter().chain(bonds);
+        let bond = |[d, e, _, j]: [f64; 4]| {
+            let cells = (0..3).flat_map(|x| (0..4).map(move |y| [x, y]));
+            let ends = cells.filter_map(|[x, y]| Some((at([x, y])?, at([x + d as i64, y + e as i64])?)));
+            -j * ends.map(|(a, b)| a.dot(&b)).sum::<f64>()
+        };
+        let h = model.conserved(&s).values(&s).unwrap()[0];
+        prop_assert!((h - all.map(bond).sum::<f64>()).abs() < 1e-11);
+        // The total spin and the Casimir stay, in a step of each formulation and of the spherical midpoint.
+        for method in [(Some(Formulation::Collective), SchemeName::Gauss(4)), (Some(Formulation::Reduced), SchemeName::SphericalMidpoint)] {
+            let end = after(&model, &s, method, (0.01, 5));
+            let [before, later] = [&s, &end].map(|state| model.conserved(state).values(state).unwrap());
+            prop_assert!(largest(&before[1..], &later[1..]) < 1e-10, "{before:?} {later:?}");
+            prop_assert!(largest(&s, &end) > 1e-4);
+        }
+    }
+
     /// Vortices have the rates of their formula, on the sphere and off it.
     #[test]
     fn vortices_have_the_rates_of_their_formula(seed in 0..1000_u32, k in proptest::collection::vec(0.5..2.0, 6)) {

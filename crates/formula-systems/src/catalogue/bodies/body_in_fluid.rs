@@ -1,7 +1,8 @@
 //! A rigid body in an ideal fluid.
 
 use crate::algebras::system_algebra::SystemAlgebra;
-use crate::catalogue::system_kind::{Description, Given, KindError, Parameter, Sign, SystemKind};
+use crate::catalogue::parameter::Parameter;
+use crate::catalogue::system_kind::{Description, Given, KindError, Sign, SystemKind};
 use core::fmt::Write;
 use lie_poisson_formulas::Parameters;
 use nalgebra::{Matrix3, Matrix6};

@@ -1,7 +1,8 @@
 //! A rigid body with two rotors.
 
 use crate::algebras::system_algebra::SystemAlgebra;
-use crate::catalogue::system_kind::{Description, Given, KindError, Parameter, Sign, SystemKind};
+use crate::catalogue::parameter::Parameter;
+use crate::catalogue::system_kind::{Description, Given, KindError, Sign, SystemKind};
 
 /// A rigid body that turns freely and carries two balanced rotors, whose axes are its first two axes, without friction or
 /// motors: Zhukovskii's and Volterra's gyrostat with rotors that are free.

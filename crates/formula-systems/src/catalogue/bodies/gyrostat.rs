@@ -1,7 +1,8 @@
 //! A heavy body with a spinning rotor.
 
 use crate::algebras::system_algebra::SystemAlgebra;
-use crate::catalogue::system_kind::{Description, Given, KindError, Parameter, Sign, SystemKind};
+use crate::catalogue::parameter::Parameter;
+use crate::catalogue::system_kind::{Description, Given, KindError, Sign, SystemKind};
 
 /// A heavy gyrostat: a body with a fixed point and a rotor that is kept at a constant angular momentum ℓ in the body.
 ///

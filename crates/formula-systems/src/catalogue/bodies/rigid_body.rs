@@ -1,7 +1,8 @@
 //! A free rigid body in any dimension.
 
 use crate::algebras::system_algebra::SystemAlgebra;
-use crate::catalogue::system_kind::{Description, Given, KindError, Parameter, Sign, SystemKind};
+use crate::catalogue::parameter::Parameter;
+use crate::catalogue::system_kind::{Description, Given, KindError, Sign, SystemKind};
 
 /// The free rigid body in n dimensions, with the second moments J_j = ∫x_j² dm of its mass:
 ///

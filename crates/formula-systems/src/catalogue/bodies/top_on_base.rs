@@ -1,7 +1,8 @@
 //! A heavy top on a movable base.
 
 use crate::algebras::system_algebra::SystemAlgebra;
-use crate::catalogue::system_kind::{Description, Given, KindError, Parameter, Sign, SystemKind};
+use crate::catalogue::parameter::Parameter;
+use crate::catalogue::system_kind::{Description, Given, KindError, Sign, SystemKind};
 use nalgebra::{Matrix3, Vector3};
 
 /// A heavy top of mass m whose point of support is a base of mass M that moves freely. A thrust carries the weight, so that

@@ -1,9 +1,8 @@
 //! Kida's elliptical vortex.
 
 use crate::algebras::system_algebra::SystemAlgebra;
-use crate::catalogue::system_kind::{
-    Description, Given, KindError, KindStart, Parameter, Sign, SystemKind,
-};
+use crate::catalogue::parameter::Parameter;
+use crate::catalogue::system_kind::{Description, Given, KindError, KindStart, Sign, SystemKind};
 use lie_poisson_formulas::{Coordinates, Parameters};
 
 /// An elliptical patch of uniform vorticity ω in a plane flow with the strain (x, y) ↦ e (x, −y) and the angular velocity γ.

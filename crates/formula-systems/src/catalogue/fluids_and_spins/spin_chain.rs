@@ -1,7 +1,8 @@
 //! A chain of classical spins.
 
 use crate::algebras::system_algebra::SystemAlgebra;
-use crate::catalogue::system_kind::{Description, Given, KindError, Parameter, SystemKind};
+use crate::catalogue::parameter::Parameter;
+use crate::catalogue::system_kind::{Description, Given, KindError, SystemKind};
 
 /// A Heisenberg chain of N classical spins with the anisotropy K along the third axis in a field B, with the plus bracket
 /// {s_a, s_b} = ε_abc s_c of each spin:

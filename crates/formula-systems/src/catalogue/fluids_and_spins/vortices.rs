@@ -1,9 +1,8 @@
 //! Point vortices on the sphere.
 
 use crate::algebras::system_algebra::SystemAlgebra;
-use crate::catalogue::system_kind::{
-    Description, Given, KindError, KindStart, Parameter, SystemKind,
-};
+use crate::catalogue::parameter::Parameter;
+use crate::catalogue::system_kind::{Description, Given, KindError, KindStart, SystemKind};
 
 /// N point vortices of strengths k_i at the points x_i of the unit sphere, with m_i = k_i x_i on (so(3)∗)ᴺ:
 ///

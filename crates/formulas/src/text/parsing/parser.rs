@@ -4,7 +4,7 @@
 use super::lexer::tokens;
 use crate::names::vocabulary::Vocabulary;
 use crate::text::formula_error::{FormulaError, MOST_LEVELS, Problem};
-use crate::text::suggestion::closest;
+use crate::text::suggestion::closest_name;
 use crate::text::syntax::{Function, Operator, Part, Syntax};
 use crate::text::token::{Placed, Token};
 use core::ops::Range;
@@ -246,7 +246,7 @@ impl Parser<'_> {
             // of a function.
             let names = Function::NAMES.iter().map(|(name, _)| *name);
             let suggestion =
-                closest(&name, names.chain(["norm", "abs", "dot", "cross", CHOICE, SUM]));
+                closest_name(&name, names.chain(["norm", "abs", "dot", "cross", CHOICE, SUM]));
             let problem = match suggestion {
                 Some(_) => Problem::UnknownFunction { name, suggestion },
                 None => Problem::NotAFunction { name },

@@ -122,23 +122,17 @@ fn keys_of(error: &FormulaSystemError) -> Vec<(String, &'static str)> {
         E::NoAlgebra { .. } | E::AlgebraText { .. } => key("algebra", ""),
         E::Symbols { .. } => key("coordinates", ""),
         E::NoKind { .. } => key("kind", ""),
-        E::KindParameter { kind, name, .. } => {
+        E::KindParameter { is_start, name, .. } => {
+            let table = if *is_start { "initial" } else { "parameters" };
+            [format!("{table}.{name}"), "kind".into()].map(|of| (below_system(&of), "")).to_vec()
+        }
+        E::KindValue { kind, name, .. } => {
             let start = SystemKind::named(kind).ok().and_then(|kind| kind.start);
             let start = start.map(|start| start.given);
             let start = start.or_else(|| ArrayKind::named(kind).map(|kind| kind.start));
-            let of_start = start.is_some_and(|start| start.iter().any(|own| own.name == name));
-            let table = if of_start { "initial" } else { "parameters" };
-            let keys = [
-                format!("initial.{name}"),
-                format!("parameters.{name}"),
-                table.into(),
-                "kind".into(),
-            ];
-            keys.map(|of| (below_system(&of), "")).to_vec()
+            let of_start = start.is_some_and(|start| start.iter().any(|own| own.name == *name));
+            key(&format!("{}.{name}", if of_start { "initial" } else { "parameters" }), "")
         }
-        E::KindValue { name, .. } => [format!("parameters.{name}"), format!("initial.{name}")]
-            .map(|of| (below_system(&of), ""))
-            .to_vec(),
         E::Dimension { .. } => ["coordinates", "algebra"].map(|of| (below_system(of), "")).to_vec(),
         E::Coordinates(_) => key("coordinates", ""),
         E::Parameters(_) => key("parameters", ""),

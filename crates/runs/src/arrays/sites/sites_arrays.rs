@@ -1,36 +1,27 @@
 //! Spins and vortices as a system of arrays: [`SitesArrays`].
 
-use super::any_arrays::{ArrayShape, Arrays};
-use super::arguments::Given;
-use super::directions::{Directions, on_cone};
-use super::sites::{SitesSystem, momenta, numbers, total};
+use super::sites_system::{SitesSystem, momenta, numbers, total};
+use crate::arrays::any_arrays::{ArrayShape, Arrays, Started};
+use crate::arrays::arguments::Given;
 use crate::error::RunFailure;
 use collective_integrators::{AnyIntegrator, AnyTangents, VectorField};
-use core::f64::consts::{PI, TAU};
 use core::fmt;
 use heavytop::methods::{Formulation, Method, SchemeName};
-use lie_poisson_formula_systems::FormulaSystemError;
 use nalgebra::Vector3;
 
-/// The largest number of periods of a wave along an axis.
-const MOST_PERIODS: f64 = 1e6;
-
-/// The result of a start.
-pub(super) type Started = Result<Vec<f64>, FormulaSystemError>;
-
 /// A system on (so(3)∗)ᴺ, whose state is one array of N vectors.
-pub(super) struct SitesArrays {
-    pub(super) system: SitesSystem,
+pub(in crate::arrays) struct SitesArrays {
+    pub(in crate::arrays) system: SitesSystem,
     /// The name of the array.
-    pub(super) name: &'static str,
-    pub(super) hamiltonian: &'static str,
+    pub(in crate::arrays) name: &'static str,
+    pub(in crate::arrays) hamiltonian: &'static str,
     /// The shape of the array, without the three components.
-    pub(super) shape: Vec<usize>,
+    pub(in crate::arrays) shape: Vec<usize>,
     /// The factors of m_i in the Casimir C = Σ |w_i m_i|²; all 1 if there are none.
-    pub(super) weights: Option<Vec<f64>>,
+    pub(in crate::arrays) weights: Option<Vec<f64>>,
     /// The axis along which Σ m_i is conserved: `None` for all axes, and 0 for none.
-    pub(super) symmetry: Option<Vector3<f64>>,
-    pub(super) start: fn(&Self, &Given<'_>) -> Started,
+    pub(in crate::arrays) symmetry: Option<Vector3<f64>>,
+    pub(in crate::arrays) start: fn(&Self, &Given<'_>) -> Started,
 }
 
 impl fmt::Debug for SitesArrays {
@@ -122,56 +113,4 @@ impl Arrays for SitesArrays {
     fn start(&self, given: &Given<'_>) -> Started {
         (self.start)(self, given)
     }
-}
-
-/// Returns spins of these shape: those that are given as S, or unit vectors along a direction, on the cone of a wave, and
-/// tilted at random.
-pub(super) fn spin_start(shape: &[usize], given: &Given<'_>, random: &mut Directions) -> Started {
-    let count: usize = shape.iter().product();
-    let spins = given.values("S");
-    if given.has("S") {
-        given.require_alone("S", &["direction", "waves", "cone", "tilt", "seed"])?;
-        if spins.len() != 3 * count {
-            let needed = format!(
-                "{} numbers, an array of shape {:?}, got {}",
-                3 * count,
-                [shape, &[3]].concat(),
-                spins.len()
-            );
-            return Err(given.refused("S", needed));
-        }
-        if let Some(i) = spins.as_chunks::<3>().0.iter().position(|s| *s == [0.0; 3]) {
-            return Err(given.refused("S", format!("spins other than 0; number {} is 0", i + 1)));
-        }
-        return Ok(spins.to_vec());
-    }
-    let direction = given.vector("direction");
-    if direction == Vector3::zeros() {
-        return Err(given.refused("direction", "different from 0".into()));
-    }
-    let axis = (direction / direction.amax()).normalize();
-    let (waves, cone, tilt) = (given.values("waves"), given.number("cone"), given.number("tilt"));
-    if given.has("waves") && waves.len() != shape.len() {
-        let needed = format!("a number for each of {} axes, got {}", shape.len(), waves.len());
-        return Err(given.refused("waves", needed));
-    }
-    if let Some(wave) = waves.iter().find(|wave| wave.abs() > MOST_PERIODS) {
-        return Err(given.refused("waves", format!("at most {MOST_PERIODS:e}, got {wave:e}")));
-    }
-    for (name, angle) in [("cone", cone), ("tilt", tilt)] {
-        if !(0.0..=PI).contains(&angle) {
-            return Err(given.refused(name, format!("from 0 to pi, got {angle}")));
-        }
-    }
-    let spin = |i: usize| {
-        // The last index is the fastest.
-        let (mut rest, mut turns) = (i, 0.0);
-        for (count, wave) in shape.iter().zip(waves).rev() {
-            turns += (rest % count) as f64 * wave / *count as f64;
-            rest /= count;
-        }
-        let on_wave = on_cone(&axis, cone, TAU * turns.fract());
-        if tilt == 0.0 { on_wave } else { random.within(tilt, &on_wave) }
-    };
-    Ok(numbers(&(0..count).map(spin).collect::<Vec<_>>()))
 }

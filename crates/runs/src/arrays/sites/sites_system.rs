@@ -1,6 +1,7 @@
 //! Spins and vortices: points of (so(3)∗)ᴺ, and their integrators.
 
-use super::renewed::{Renewed, resumable_after};
+use super::open_lattice::OpenLattice;
+use crate::arrays::renewed::{Renewed, resumable_after};
 use crate::error::RunFailure;
 use collective_integrators::{
     AnyIntegrator, AnyTangents, CollectiveSites, Direct, LiftFreeSites, SphericalMidpoint,
@@ -8,18 +9,18 @@ use collective_integrators::{
 };
 use heavytop::methods::{Formulation, Method, MethodError, SchemeName};
 use lie_poisson::{Covector, Real, Sites, SitesHamiltonian, State, larger};
-use lie_poisson_systems::{HeisenbergLattice, LatticeMidpoint, ManyVortices};
+use lie_poisson_systems::{LatticeMidpoint, ManyVortices};
 use momentum_map::{HOPF, Quaternions};
 use nalgebra::Vector3;
 
 /// A point of (so(3)∗)ᴺ.
-pub(super) type Momenta = Covector<Sites<Vector3<f64>>>;
+pub(in crate::arrays) type Momenta = Covector<Sites<Vector3<f64>>>;
 
 /// A system on (so(3)∗)ᴺ, by the Hamiltonian that has its motion in the minus bracket. Spins have the plus bracket, so that
 /// theirs is −h.
 #[derive(Clone, Debug)]
-pub(super) enum SitesSystem {
-    Spins(HeisenbergLattice),
+pub(in crate::arrays) enum SitesSystem {
+    Spins(OpenLattice),
     Vortices(ManyVortices),
 }
 
@@ -61,11 +62,11 @@ impl<T: Real> VectorField<T> for SitesSystem {
 
 impl SitesSystem {
     /// The formulations of spins and vortices, the default one first.
-    pub(super) const FORMULATIONS: &'static [Formulation] =
+    pub(in crate::arrays) const FORMULATIONS: &'static [Formulation] =
         &[Formulation::Collective, Formulation::Reduced, Formulation::Direct];
 
     /// Returns whether spins and vortices have a scheme in a formulation.
-    pub(super) fn offers(formulation: Formulation, scheme: SchemeName) -> bool {
+    pub(in crate::arrays) fn offers(formulation: Formulation, scheme: SchemeName) -> bool {
         match scheme {
             SchemeName::SphericalMidpoint => formulation == Formulation::Reduced,
             SchemeName::Partitioned(_) => false,
@@ -74,18 +75,18 @@ impl SitesSystem {
     }
 
     /// Returns h.
-    pub(super) fn energy(&self, m: &Momenta) -> f64 {
+    pub(in crate::arrays) fn energy(&self, m: &Momenta) -> f64 {
         let motion = SitesHamiltonian::<Vector3<f64>>::value(self, m);
         if matches!(self, Self::Spins(_)) { -motion } else { motion }
     }
 
     /// Returns the fastest rotation of a vector, |dh_i|.
-    pub(super) fn fastest_rate(&self, m: &Momenta) -> f64 {
+    pub(in crate::arrays) fn fastest_rate(&self, m: &Momenta) -> f64 {
         self.velocities(m).iter().map(Vector3::norm).fold(0.0, larger)
     }
 
     /// Returns dh.
-    pub(super) fn differential(&self, m: &Momenta) -> Vec<f64> {
+    pub(in crate::arrays) fn differential(&self, m: &Momenta) -> Vec<f64> {
         let sign = if matches!(self, Self::Spins(_)) { -1.0 } else { 1.0 };
         numbers(&self.velocities(m)).into_iter().map(|x| sign * x).collect()
     }
@@ -100,16 +101,18 @@ impl SitesSystem {
     ///
     /// # Errors
     /// If the coefficients of the scheme cannot be made.
-    pub(super) fn integrator(
+    pub(in crate::arrays) fn integrator(
         &self,
         method: &Method,
         count: usize,
     ) -> Result<AnyIntegrator, RunFailure> {
         match (self, method.scheme()) {
-            (Self::Spins(spins), SchemeName::SphericalMidpoint) => {
+            // The kernel in registers goes round the lattice.
+            (Self::Spins(spins), SchemeName::SphericalMidpoint) if spins.is_periodic() => {
                 let zero: Momenta = State::zeros_of(&count);
                 let period = resumable_after(3 * count);
-                let midpoint = LatticeMidpoint::new(spins.clone()).with_solver(solver(method));
+                let midpoint =
+                    LatticeMidpoint::new(spins.periodic.clone()).with_solver(solver(method));
                 Ok(AnyIntegrator::of_states(Renewed { integrator: midpoint, period }, &zero, &zero))
             }
             _ => Ok(self.tangent_integrator(method, count)?.without_tangents()),
@@ -120,7 +123,7 @@ impl SitesSystem {
     ///
     /// # Errors
     /// If the coefficients of the scheme cannot be made.
-    pub(super) fn tangent_integrator(
+    pub(in crate::arrays) fn tangent_integrator(
         &self,
         method: &Method,
         count: usize,
@@ -174,16 +177,16 @@ fn solver(method: &Method) -> StageSolver {
 }
 
 /// Returns the vectors of their components, one after the other.
-pub(super) fn momenta(state: &[f64]) -> Momenta {
+pub(in crate::arrays) fn momenta(state: &[f64]) -> Momenta {
     Covector(state.as_chunks::<3>().0.iter().map(|x| Vector3::from(*x)).collect())
 }
 
 /// Returns the components of vectors, one after the other.
-pub(super) fn numbers(vectors: &[Vector3<f64>]) -> Vec<f64> {
+pub(in crate::arrays) fn numbers(vectors: &[Vector3<f64>]) -> Vec<f64> {
     vectors.iter().flat_map(|x| [x.x, x.y, x.z]).collect()
 }
 
 /// Returns the sum of vectors.
-pub(super) fn total(vectors: &[Vector3<f64>]) -> Vector3<f64> {
+pub(in crate::arrays) fn total(vectors: &[Vector3<f64>]) -> Vector3<f64> {
     vectors.iter().sum()
 }

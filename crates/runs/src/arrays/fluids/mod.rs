@@ -1,0 +1,4 @@
+//! Fluids on the sphere.
+
+mod fluid_start;
+pub(super) mod sphere_fluid_arrays;

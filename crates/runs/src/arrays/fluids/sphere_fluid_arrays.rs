@@ -1,0 +1,150 @@
+//! A fluid on the sphere as a system of arrays: [`SphereFluid`].
+
+use super::fluid_start::fluid_start;
+use crate::arrays::any_arrays::{ArrayShape, Arrays, Started};
+use crate::arrays::arguments::Given;
+use crate::arrays::renewed::{Renewed, resumable_after};
+use crate::error::RunFailure;
+use collective_integrators::{AnyIntegrator, AnyTangents, Direct, VectorField};
+use core::f64::consts::PI;
+use heavytop::methods::{Formulation, Method, MethodError, SchemeName};
+use lie_poisson::State;
+use lie_poisson_systems::isospectral_flows::{
+    CommutatorField, IsospectralField, IsospectralRungeKutta, LargeSkewHermitian,
+};
+use lie_poisson_systems::num_complex::Complex;
+use lie_poisson_systems::{VorticityCoefficients, Zeitlin};
+
+#[derive(Debug)]
+pub(in crate::arrays) struct SphereFluid(pub(in crate::arrays) Zeitlin);
+
+impl SphereFluid {
+    pub(super) fn size(&self) -> usize {
+        self.0.size()
+    }
+
+    /// Returns the matrix of a state.
+    fn matrix(&self, state: &[f64]) -> LargeSkewHermitian {
+        let mut w = LargeSkewHermitian::zeros(self.size());
+        w.set_coordinates(|i| state.get(i).copied().unwrap_or(f64::NAN));
+        w
+    }
+
+    /// Writes coefficients as an array of N rows: Re ω_lm at [l, m], and Im ω_lm at [m − 1, l].
+    pub(super) fn write(&self, omega: &VorticityCoefficients, to: &mut [f64]) {
+        let n = self.size();
+        for (l, m) in (0..n).flat_map(|l| (0..=l).map(move |m| (l, m))) {
+            let value = omega.at(l, m);
+            to[n * l + m] = value.re;
+            if m > 0 {
+                to[n * (m - 1) + l] = value.im;
+            }
+        }
+    }
+
+    pub(super) fn read(&self, from: &[f64]) -> VorticityCoefficients {
+        let n = self.size();
+        let imaginary = |l, m| if m > 0 { from[n * (m - 1) + l] } else { 0.0 };
+        VorticityCoefficients::from_fn(n, |l, m| Complex::new(from[n * l + m], imaginary(l, m)))
+    }
+}
+
+impl Arrays for SphereFluid {
+    fn algebra_name(&self) -> String {
+        format!("u({})", self.size())
+    }
+
+    fn hamiltonian(&self) -> &'static str {
+        "-∫ψω/2"
+    }
+
+    fn arrays(&self) -> Vec<ArrayShape> {
+        let n = self.size();
+        vec![ArrayShape { name: "omega", shape: vec![n, n], block: n * n }]
+    }
+
+    /// h, the enstrophy Z, and the angular momentum, or its third component on a sphere that rotates.
+    fn invariant_names(&self) -> Vec<String> {
+        let all = ["h", "Z", "M3", "M1", "M2"].map(String::from);
+        if self.0.rotates() { all[..3].to_vec() } else { all.to_vec() }
+    }
+
+    fn invariants(&self, state: &[f64], values: &mut Vec<f64>) {
+        let w = self.matrix(state);
+        let [x, y, z] = self.0.angular_momentum(&w);
+        values.extend([self.0.energy(&w), self.0.enstrophy(&w), z]);
+        if !self.0.rotates() {
+            values.extend([x, y]);
+        }
+    }
+
+    fn differential(&self, state: &[f64]) -> Vec<f64> {
+        let (w, n) = (self.matrix(state), self.size());
+        let mut p = LargeSkewHermitian::zeros(n);
+        self.0.stream_into(&w, &mut p);
+        // h = (2π/N) tr P(W − F), of which P is half of the slope.
+        let scale = -4.0 * PI / n as f64;
+        (0..n * n).map(|i| scale * p.coordinate(i)).collect()
+    }
+
+    fn rate(&self, state: &[f64]) -> Vec<f64> {
+        let rate = CommutatorField::new(&self.0).at(&self.matrix(state));
+        (0..rate.dimension()).map(|i| rate.coordinate(i)).collect()
+    }
+
+    /// A fluid turns by half of its vorticity, here by that of three times its root mean square.
+    fn fastest_rate(&self, state: &[f64]) -> f64 {
+        1.5 * (self.0.enstrophy(&self.matrix(state)) / (4.0 * PI)).sqrt()
+    }
+
+    fn formulations(&self) -> &'static [Formulation] {
+        &[Formulation::Reduced, Formulation::Direct]
+    }
+
+    fn offers(&self, formulation: Formulation, scheme: SchemeName) -> bool {
+        formulation.offers(scheme)
+    }
+
+    fn integrator(&self, method: &Method) -> Result<AnyIntegrator, RunFailure> {
+        let (formulation, name) = (method.formulation(), method.scheme());
+        let impossible = || MethodError::NoSuchPair { formulation, scheme: name };
+        let scheme = name.runge_kutta(method.tolerance())?.ok_or_else(impossible)?;
+        let period = resumable_after(self.size() * self.size());
+        let zero = LargeSkewHermitian::zeros(self.size());
+        Ok(match formulation {
+            Formulation::Reduced => {
+                let reduced = IsospectralRungeKutta::new(scheme, self.0.clone());
+                AnyIntegrator::of_states(Renewed { integrator: reduced, period }, &zero, &zero)
+            }
+            _ => {
+                let direct = Direct::new(scheme, CommutatorField::new(self.0.clone()));
+                AnyIntegrator::of_states(Renewed { integrator: direct, period }, &zero, &zero)
+            }
+        })
+    }
+
+    fn tangent_integrator(
+        &self,
+        _method: &Method,
+    ) -> Result<AnyIntegrator<dyn AnyTangents>, RunFailure> {
+        Err(RunFailure::NoTangents { kind: "sphere-fluid" })
+    }
+
+    fn start(&self, given: &Given<'_>) -> Started {
+        fluid_start(self, given)
+    }
+
+    fn present(&self, state: &mut [f64]) {
+        let omega = self.0.coefficients(&self.matrix(state));
+        self.write(&omega, state);
+    }
+
+    fn on_circle(&self, given: &[f64], colatitude: f64, count: usize) -> Option<Vec<f64>> {
+        Some(self.read(given).values_on_circle(colatitude, count))
+    }
+
+    fn understand(&self, given: &mut [f64]) {
+        let w = self.0.vorticity(&self.read(given));
+        given.iter_mut().enumerate().for_each(|(i, x)| *x = w.coordinate(i));
+    }
+}
