@@ -11,7 +11,7 @@ use zip::ZipArchive;
 /// An archive of arrays.
 pub(crate) struct Archive {
     zip: ZipArchive<BufReader<File>>,
-    /// The length of the file, which no array exceeds.
+    /// The length of the file.
     length: u64,
 }
 
@@ -28,6 +28,9 @@ pub(crate) struct Header {
 
 /// The largest size of a header, in bytes.
 const MOST_HEADER: usize = 1 << 16;
+
+/// The largest factor by which arrays can be compressed, that of zeros.
+const MOST_COMPRESSION: u64 = 1100;
 
 impl Archive {
     /// Opens an archive.
@@ -63,12 +66,12 @@ impl Archive {
         }
         let length = self.length;
         let mut file = self.zip.by_name(&format!("{name}.npy")).map_err(|error| {
-            let text = format!("{name} cannot be read, save it uncompressed: {error}");
+            let text = format!("{name} cannot be read: {error}");
             FieldFileError::Format(text)
         })?;
         let header = Header::read(name, &mut file)?;
         // A size that a header invents takes no memory.
-        if file.size() > length || header.bytes() != Some(file.size()) {
+        if file.size() / MOST_COMPRESSION > length || header.bytes() != Some(file.size()) {
             let text = format!("{name} has not as many numbers as its header says");
             return Err(FieldFileError::Format(text));
         }
@@ -102,22 +105,27 @@ impl Archive {
     /// If there is no such array.
     pub(crate) fn last(&mut self, name: &str, shape: &[usize]) -> Result<Vec<f64>, FieldFileError> {
         let (header, mut file) = self.array(name)?;
-        let found = header.shape.clone();
-        let samples = match found.split_first() {
-            _ if found == shape => 1,
-            Some((samples, rest)) if rest == shape && *samples > 0 => *samples,
-            _ => {
-                let (name, expected) = (name.into(), shape.to_vec());
-                return Err(FieldFileError::Shape { name, expected, found });
-            }
-        };
-        let count: usize = shape.iter().product();
-        let before = ((samples - 1) * count * header.width) as u64;
-        io::copy(&mut (&mut file).take(before), &mut io::sink())?;
-        let mut numbers = vec![0.0; count];
-        header.fill(&mut file, &mut numbers)?;
-        Ok(numbers)
+        header.last(&mut file, name, shape)
     }
+}
+
+/// Returns the numbers of an array that `numpy.save` has written to a file of its own, or of its last sample.
+///
+/// # Errors
+/// If it cannot be read, or has another shape.
+pub(super) fn last_of_array(
+    path: &Path,
+    name: &str,
+    shape: &[usize],
+) -> Result<Vec<f64>, FieldFileError> {
+    let file = File::open(path)?;
+    let length = file.metadata()?.len();
+    let mut file = BufReader::with_capacity(1 << 20, file);
+    let header = Header::read(name, &mut file)?;
+    if header.bytes() != Some(length) {
+        return Err(FieldFileError::Format("it has not as many numbers as its header says".into()));
+    }
+    header.last(&mut file, name, shape)
 }
 
 impl Header {
@@ -174,6 +182,29 @@ impl Header {
         // A single index has one order.
         let is_c = after("fortran_order")?.starts_with("False") || shape.len() < 2;
         is_c.then_some(Self { width, shape, length: 0 })
+    }
+
+    /// Reads the numbers of the array, or of its last sample.
+    fn last(
+        &self,
+        file: &mut impl Read,
+        name: &str,
+        shape: &[usize],
+    ) -> Result<Vec<f64>, FieldFileError> {
+        let samples = match self.shape.split_first() {
+            _ if self.shape == shape => 1,
+            Some((samples, rest)) if rest == shape && *samples > 0 => *samples,
+            _ => {
+                let (name, expected, found) = (name.into(), shape.to_vec(), self.shape.clone());
+                return Err(FieldFileError::Shape { name, expected, found });
+            }
+        };
+        let count: usize = shape.iter().product();
+        let before = ((samples - 1) * count * self.width) as u64;
+        io::copy(&mut file.take(before), &mut io::sink())?;
+        let mut numbers = vec![0.0; count];
+        self.fill(file, &mut numbers)?;
+        Ok(numbers)
     }
 
     /// Reads the next numbers.

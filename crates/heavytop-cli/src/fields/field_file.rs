@@ -1,7 +1,7 @@
 //! A file in which there are arrays, by which a run starts or which is exported.
 
-use super::archive::Archive;
-use super::ovf;
+use super::archive::{self, Archive};
+use super::{image_reader, ovf};
 use crate::errors::{Error, FieldFileError};
 use std::fs::File;
 use std::io::{self, Read};
@@ -32,8 +32,13 @@ pub(crate) fn checksum(path: &Path) -> Result<u32, Error> {
 pub(crate) fn last(path: &Path, name: &str, shape: &[usize]) -> Result<Vec<f64>, Error> {
     let read = match ending(path).as_deref() {
         Some("npz") => Archive::open(path).and_then(|mut file| file.last(name, shape)),
+        Some("npy") => archive::last_of_array(path, name, shape),
         Some("ovf" | "omf") => ovf::read(path, name, shape),
-        _ => Err(FieldFileError::Format("a start is read from .npz, .ovf or .omf".into())),
+        Some("vti") => image_reader::read(path, name, shape),
+        _ => {
+            let text = "a start is read from .npz, .npy, .ovf, .omf or .vti";
+            Err(FieldFileError::Format(text.into()))
+        }
     };
     read.map_err(|error| failed(path, error))
 }

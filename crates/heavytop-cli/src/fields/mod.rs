@@ -4,3 +4,5 @@ pub(crate) mod field_file;
 pub(crate) mod archive;
 pub(crate) mod ovf;
 pub(crate) mod image_data;
+mod image_numbers;
+mod image_reader;

@@ -271,7 +271,12 @@ fn what_does_not_fit_is_refused_with_what_is_needed() {
             none().list("m", vec![1.0, 0.0, 0.0, 1.0, 0.0, 0.0]),
             "number 2 is 0.5",
         ),
-        ("vibrating-lattice", &chain, none().list("q", vec![1.0; 3]), "each of 4 atoms, got 3"),
+        (
+            "vibrating-lattice",
+            &chain,
+            none().number("tilt", 1.0).list("q", vec![1.0; 3]),
+            "each of 4 atoms, got 3",
+        ),
         ("spin-lattice", &spins, none(), "S must be given, or direction"),
         ("spin-lattice", &spins, none().list("waves", vec![1.0, 0.5]), "got 0.5"),
         (

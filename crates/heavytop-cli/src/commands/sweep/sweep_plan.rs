@@ -1,5 +1,6 @@
 //! The plan of a sweep: the family of its members, and the values of the axes for each, by its number.
 
+use super::families::array_family::ArrayFamily;
 use super::families::course::Course;
 use super::families::family::Family;
 use super::families::system_family::SystemFamily;
@@ -49,10 +50,16 @@ impl Plan {
         require_some(&axes, &sweep)?;
         let members = number_of_members(&axes, sweep.count)?;
         let (family, integration): (Arc<dyn Family>, _) = match system {
-            Some(system) => {
-                let (family, integration) = SystemFamily::new(system, config, &axes)?;
-                (Arc::new(family), integration)
-            }
+            Some(table) => match table.array_system()? {
+                Some(system) => {
+                    let (family, integration) = ArrayFamily::new((table, system), config, &axes)?;
+                    (Arc::new(family), integration)
+                }
+                None => {
+                    let (family, integration) = SystemFamily::new(table, config, &axes)?;
+                    (Arc::new(family), integration)
+                }
+            },
             None => {
                 let (family, integration) = TopFamily::new(config, &axes)?;
                 (Arc::new(family), integration)

@@ -33,18 +33,26 @@ impl SystemConfig {
         every: u64,
     ) -> Result<Option<Experiment<ArraySystem>>, Error> {
         let Some(model) = self.array_system()? else { return Ok(None) };
-        let given = match &self.initial_file {
-            None => arguments(&self.initial),
-            Some(file) if self.initial.is_empty() => self.in_file(file, &model)?,
-            Some(_) => return Err(SystemTableError::TwoStarts.into()),
-        };
-        let start = lie_poisson_runs::Model::start(&model, &model.start_of(&given)?)?;
+        let start = self.array_start(&model)?;
         let Integration { scheme, step, end, tolerance, .. } =
             integrator.or(Integration::default());
         let method = model.method(integrator.formulation, scheme, tolerance)?;
         require_sane_step(&model, &start, step)?;
         let pace = Pace { schedule: Schedule::new(step, end)?, every };
         Ok(Some(Experiment { model, start, method, pace, attitude: false }))
+    }
+
+    /// Returns the start of a system of arrays, in the coordinates of the computation.
+    ///
+    /// # Errors
+    /// If there is no such start.
+    pub(crate) fn array_start(&self, model: &ArraySystem) -> Result<Vec<f64>, Error> {
+        let given = match &self.initial_file {
+            None => arguments(&self.initial),
+            Some(file) if self.initial.is_empty() => self.in_file(file, model)?,
+            Some(_) => return Err(SystemTableError::TwoStarts.into()),
+        };
+        Ok(lie_poisson_runs::Model::start(model, &model.start_of(&given)?)?)
     }
 
     /// Returns the system of arrays that the table describes; `None` if it is a system by formula.

@@ -95,6 +95,24 @@ pub enum SweepError {
         /// The number of independent Casimirs of the system with the configured parameters.
         expected: usize,
     },
+    /// A member has other coordinates or conserved quantities than the system of the configuration.
+    #[error("it has {found}, and the system with the configured parameters {expected}")]
+    OtherColumns {
+        /// The number of coordinates and the conserved quantities of the member.
+        found: String,
+        /// Those of the system with the configured parameters.
+        expected: String,
+    },
+    /// The state is too large for columns of a table.
+    #[error(
+        "the observable final-state would have {found} columns; it has at most {most}: simulate writes the states of one run"
+    )]
+    WideState {
+        /// The number of coordinates.
+        found: usize,
+        /// The largest number of columns.
+        most: usize,
+    },
     /// Two axes set the same number.
     #[error("the axes {first} and {second} set the same thing")]
     Clash {

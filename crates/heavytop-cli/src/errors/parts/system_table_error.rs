@@ -27,8 +27,10 @@ pub enum SystemTableError {
     /// A system by name has an algebra or a Hamiltonian of its own.
     #[error("a kind has its algebra and its Hamiltonian: write neither, or leave out kind")]
     TwoSystems,
-    /// A command that follows systems of a few coordinates got one of arrays.
-    #[error("only simulate runs {kind}: sections and sweeps follow systems of a few coordinates")]
+    /// The command that draws sections got a system of arrays.
+    #[error(
+        "{kind} has no section: its orbits have too many dimensions for a picture; use simulate or sweep"
+    )]
     OnlySimulated {
         /// The name of the kind of system.
         kind: &'static str,
@@ -94,7 +96,7 @@ impl SystemTableError {
                     .map(|other| (below_system(other), "leave it out"))
                     .to_vec()
             }
-            Self::OnlySimulated { .. } => key("system.kind", "use simulate"),
+            Self::OnlySimulated { .. } => key("system.kind", "use simulate or sweep"),
             Self::NoArrays => Vec::new(),
             Self::TwoStarts | Self::NoStartFile | Self::OtherStart { .. } => {
                 key("system.initial_file", "")

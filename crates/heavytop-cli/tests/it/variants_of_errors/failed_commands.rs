@@ -61,7 +61,8 @@ fn of_files(folder: &Folder) -> BTreeSet<String> {
 }
 
 /// A lattice of spins, with its start.
-const SPINS: &str = "[system]\nkind = 'spin-lattice'\nparameters = { shape = [6000] }\n";
+const SPINS: &str =
+    "[system]\nkind = 'spin-lattice'\nparameters = { shape = [6000], exchange = 1 }\n";
 
 fn of_arrays(folder: &Folder) -> BTreeSet<String> {
     let watch = Watch::default();

@@ -157,6 +157,10 @@ const LIFTED: &str = "[system]\ncoordinates = ['x', 'y', 'z']\nbrackets = { 'x, 
                       hamiltonian = 'x^2 + y^2 + z^2'\ninitial = { x = 0.1, y = 0.3, z = -0.2 }\n\
                       [integrator]\nformulation = 'collective'\nstep = 0.1\nend = 1\n";
 
+/// A lattice of 100 spins, which are more than columns of a table.
+const LATTICE: &str = "[system]\nkind = 'spin-lattice'\nparameters = { shape = [100], exchange = 1, field = [0, 0, 0] }\n\
+                       initial = { tilt = 0.3 }\n[integrator]\nstep = 0.1\nend = 0.2\n";
+
 /// Values of the parameter at which members fail, of which only their text is returned. Without brackets there are more
 /// Casimirs.
 const MEMBERS: [(&str, &str, &str, &str); 2] = [
@@ -207,6 +211,16 @@ pub fn errors() -> BTreeSet<String> {
     let lifted = |observable| sweep_of(&(LIFTED.to_owned() + &of_start(observable)));
     found.push(refused("SweepError::Lifted", lifted("megno")));
     assert!(lifted("final-state").is_ok());
+    // A field leaves one component of the total spin.
+    for (variant, observable) in
+        [("SweepError::WideState", "final-state"), ("SweepError::OtherColumns", "invariant-drift")]
+    {
+        let swept = axis("system.parameters.field[2]", observable, "from = 1, to = 1");
+        let message = sweep_of(&(LATTICE.to_owned() + &swept)).unwrap_err().message();
+        let said = ["has at most 256", "it has 300 coordinates and h, M, C, and the system with"];
+        assert!(said.iter().any(|said| message.contains(said)), "{message}");
+        found.push(BTreeSet::from([variant.into()]));
+    }
     for (variant, system, value, said) in MEMBERS {
         let values = format!("from = {value}, to = {value}");
         let text = system.to_owned() + &axis("system.parameters.a", "lyapunov", &values);

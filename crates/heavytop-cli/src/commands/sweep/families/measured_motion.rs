@@ -6,7 +6,8 @@ use crate::configuration::Observable;
 use crate::errors::Error;
 use collective_integrators::{AnyIntegrator, AnyState, AnyTangents};
 use heavytop::methods::Method;
-use lie_poisson_runs::TangentGrowth;
+use lie_poisson::larger;
+use lie_poisson_runs::{Conserved, Model, RunFailure, TangentGrowth};
 
 /// Follows the motion from a start, and returns the values of the columns of all observables. `method` is the one of the
 /// integrator.
@@ -31,4 +32,36 @@ pub(super) fn measure(
         other => gauge.values(*other, grown.end.as_slice()),
     };
     Ok(course.observables.iter().flat_map(values).collect())
+}
+
+/// The largest deviations of what is conserved.
+pub(super) struct Drift<'a> {
+    pub(super) conserved: Box<dyn Conserved + 'a>,
+    initial: Vec<f64>,
+    pub(super) largest: Vec<f64>,
+    values: Vec<f64>,
+    /// The first time and state at which a quantity has no finite value.
+    pub(super) undefined: Option<(f64, Vec<f64>)>,
+}
+
+impl<'a> Drift<'a> {
+    pub(super) fn new(model: &'a dyn Model, start: &[f64]) -> Result<Self, Error> {
+        let conserved = model.conserved(start);
+        let initial = conserved.values(start);
+        let initial = initial.map_err(|reason| RunFailure::NoValue { time: 0.0, reason })?;
+        let (largest, values) = (vec![0.0; initial.len()], Vec::new());
+        Ok(Self { conserved, initial, largest, values, undefined: None })
+    }
+
+    pub(super) fn observe(&mut self, time: f64, state: &[f64]) {
+        self.values.clear();
+        self.conserved.append(state, &mut self.values);
+        if self.values.iter().any(|value| !value.is_finite()) {
+            self.undefined.get_or_insert_with(|| (time, state.to_vec()));
+        }
+        for ((most, value), initial) in self.largest.iter_mut().zip(&self.values).zip(&self.initial)
+        {
+            *most = larger(*most, (value - initial).abs());
+        }
+    }
 }

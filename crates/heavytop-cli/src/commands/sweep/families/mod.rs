@@ -8,3 +8,4 @@ mod fixed_values;
 pub(super) mod top_family;
 mod varied_number;
 pub(super) mod system_family;
+pub(super) mod array_family;

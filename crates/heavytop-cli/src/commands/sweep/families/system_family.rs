@@ -4,9 +4,9 @@ use super::course::Course;
 use super::family::{Family, own_integration, require_apart};
 use super::gauge::{Gauge, Quantity, in_columns};
 use super::measured_motion::measure;
-use super::varied_number::{VariedNumber, component};
+use super::varied_number::{VariedNumber, component, shared_numbers};
 use crate::configuration::{
-    Column, Config, Integration, Numbers, Observable, Parameter, SweepAxis, SystemConfig,
+    Column, Config, Integration, Observable, Parameter, SweepAxis, SystemConfig,
 };
 use crate::errors::{Error, SweepError};
 use crate::pictures::caption::{number, vector_of};
@@ -56,7 +56,7 @@ impl SystemFamily {
         let (start, algebra) = (table.start(&system)?, system.algebra());
         let of_axis = |axis: &SweepAxis| match &axis.parameter {
             Parameter::System(parameter) => {
-                VariedNumber::of(parameter, table, algebra.coordinates())
+                VariedNumber::of(parameter, table, Some(algebra.coordinates()))
             }
             Parameter::Top(parameter) => Err(SweepError::OfAnother {
                 parameter: parameter.name().into(),
@@ -122,19 +122,20 @@ impl SystemFamily {
     }
 
     /// Returns the parameters that all members share, in the words of a caption.
-    fn shared_parameters(&self) -> impl Iterator<Item = String> {
-        self.table.parameters.iter().filter_map(|(name, numbers)| {
-            let is_varied =
-                |index| self.numbers.contains(&VariedNumber::Parameter(name.clone(), index));
-            match numbers {
-                Numbers::One(_) if is_varied(None) => None,
-                Numbers::One(value) => Some(format!("{name} = {}", number(*value))),
-                Numbers::Many(values) => {
-                    let symbol = |i| is_varied(Some(i)).then(|| component(name, i));
-                    vector_of(name, values, symbol)
-                }
-            }
+    fn shared_parameters(&self) -> Vec<String> {
+        shared_numbers(&self.table.parameters, "", |name, index| {
+            self.numbers.contains(&VariedNumber::Parameter(name.into(), index))
         })
+    }
+
+    /// Returns what all members share of the initial state, in the words of a caption.
+    fn shared_start(&self) -> Vec<String> {
+        if self.numbers.iter().any(|varied| matches!(varied, VariedNumber::Start(..))) {
+            return shared_numbers(&self.table.initial, "(0)", |name, index| {
+                self.numbers.contains(&VariedNumber::Start(name.into(), index))
+            });
+        }
+        self.shared_coordinates().collect()
     }
 
     /// Returns the coordinates of the initial state that all members share, in the words of a caption.
@@ -207,7 +208,7 @@ impl Family for SystemFamily {
 
     fn labels(&self) -> Vec<String> {
         let coordinates = self.system.algebra().coordinates();
-        self.numbers.iter().map(|varied| varied.label(coordinates)).collect()
+        self.numbers.iter().map(|varied| varied.label(Some(coordinates))).collect()
     }
 
     fn shared(&self) -> Vec<String> {
@@ -217,7 +218,7 @@ impl Family for SystemFamily {
         let casimirs = self.conserved().skip(1).zip(casimirs);
         let casimirs =
             casimirs.map(|(name, formula)| format!("{name} = {}", brief::text(&formula)));
-        let numbers = self.shared_parameters().chain(self.shared_coordinates());
+        let numbers = self.shared_parameters().into_iter().chain(self.shared_start());
         [hamiltonian].into_iter().chain(casimirs).chain(numbers).collect()
     }
 

@@ -2,14 +2,18 @@
 
 use crate::configuration::{Numbers, SystemConfig, SystemParameter, SystemTable};
 use crate::errors::SweepError;
+use crate::pictures::caption::{number, vector_of};
 use crate::vocabulary::suggestion::suggestion;
 use lie_poisson_formulas::Coordinates;
+use std::collections::BTreeMap;
 
 /// The place of a number in the table `[system]`, or in the initial state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum VariedNumber {
     /// A number of `[system.parameters]`, with its index in a vector.
     Parameter(String, Option<usize>),
+    /// A number of `[system.initial]` that is no coordinate, such as a position, with its index in a vector.
+    Start(String, Option<usize>),
     /// The coordinate of the initial state with this index.
     Coordinate(usize),
 }
@@ -22,61 +26,101 @@ impl VariedNumber {
     pub fn of(
         parameter: &SystemParameter,
         table: &SystemConfig,
-        coordinates: &Coordinates,
+        coordinates: Option<&Coordinates>,
     ) -> Result<Self, SweepError> {
         let SystemParameter { table: kind, name, index } = parameter;
-        match kind {
-            SystemTable::Parameters => {
-                let numbers = table.parameters.get(name).ok_or_else(|| {
-                    missing(parameter, table.parameters.keys().cloned(), "system.parameters has")
-                })?;
-                let components = match numbers {
-                    Numbers::One(_) => None,
-                    Numbers::Many(values) => Some(values.len()),
-                };
-                require_index(parameter, components)?;
-                Ok(Self::Parameter(name.clone(), *index))
-            }
-            SystemTable::Initial => {
-                let places = coordinates.places(name).ok_or_else(|| {
-                    missing(parameter, coordinates.names(), "the coordinates are")
-                })?;
-                require_index(parameter, Some(places.len()).filter(|count| *count > 1))?;
-                Ok(Self::Coordinate(places.start + index.unwrap_or(0)))
-            }
+        if *kind == SystemTable::Parameters {
+            let numbers = table.parameters.get(name).ok_or_else(|| {
+                missing(parameter, table.parameters.keys().cloned(), "system.parameters has")
+            })?;
+            require_index(parameter, components(numbers))?;
+            return Ok(Self::Parameter(name.clone(), *index));
         }
+        if let Some(places) = coordinates.and_then(|coordinates| coordinates.places(name)) {
+            require_index(parameter, Some(places.len()).filter(|count| *count > 1))?;
+            return Ok(Self::Coordinate(places.start + index.unwrap_or(0)));
+        }
+        if let Some(numbers) = table.initial.get(name) {
+            require_index(parameter, components(numbers))?;
+            return Ok(Self::Start(name.clone(), *index));
+        }
+        Err(match coordinates {
+            Some(all) => missing(parameter, all.names(), "the coordinates are"),
+            None => missing(parameter, table.initial.keys().cloned(), "system.initial has"),
+        })
     }
 
     /// Returns the name of the parameter whose number this is.
     pub fn parameter(&self) -> Option<&str> {
         match self {
             Self::Parameter(name, _) => Some(name),
-            Self::Coordinate(_) => None,
+            Self::Start(..) | Self::Coordinate(_) => None,
         }
     }
 
     /// Sets the number to a value.
     pub fn set(&self, value: f64, table: &mut SystemConfig, start: &mut [f64]) {
-        let number = match self {
-            Self::Coordinate(place) => start.get_mut(*place),
-            Self::Parameter(name, index) => match (table.parameters.get_mut(name), index) {
-                (Some(Numbers::One(number)), _) => Some(number),
-                (Some(Numbers::Many(values)), Some(index)) => values.get_mut(*index),
-                _ => None,
-            },
+        let (numbers, index) = match self {
+            Self::Coordinate(place) => {
+                return start.get_mut(*place).into_iter().for_each(|number| *number = value);
+            }
+            Self::Parameter(name, index) => (table.parameters.get_mut(name), index),
+            Self::Start(name, index) => (table.initial.get_mut(name), index),
+        };
+        let number = match (numbers, index) {
+            (Some(Numbers::One(number)), _) => Some(number),
+            (Some(Numbers::Many(values)), Some(index)) => values.get_mut(*index),
+            _ => None,
         };
         number.into_iter().for_each(|number| *number = value);
     }
 
     /// Returns the name of the number in formulas, and "(0)" after a coordinate of the initial state.
-    pub fn label(&self, coordinates: &Coordinates) -> String {
+    pub fn label(&self, coordinates: Option<&Coordinates>) -> String {
         match self {
+            Self::Start(name, None) => format!("{name}(0)"),
+            Self::Start(name, Some(index)) => component(name, *index) + "(0)",
             Self::Parameter(name, None) => name.clone(),
             Self::Parameter(name, Some(index)) => component(name, *index),
-            Self::Coordinate(place) => coordinates.names().nth(*place).unwrap_or_default() + "(0)",
+            Self::Coordinate(place) => {
+                let name = coordinates.and_then(|coordinates| coordinates.names().nth(*place));
+                name.unwrap_or_default() + "(0)"
+            }
         }
     }
 }
+
+/// Returns the number of components of a list, and `None` for a number.
+fn components(numbers: &Numbers) -> Option<usize> {
+    match numbers {
+        Numbers::One(_) => None,
+        Numbers::Many(values) => Some(values.len()),
+    }
+}
+
+/// Returns the numbers of `[system.parameters]`, or of `[system.initial]` with "(0)", that all members share, in the words of
+/// a caption; of long lists only how many numbers they have.
+pub(super) fn shared_numbers(
+    numbers: &BTreeMap<String, Numbers>,
+    suffix: &str,
+    is_varied: impl Fn(&str, Option<usize>) -> bool,
+) -> Vec<String> {
+    let words = |(name, numbers): (&String, &Numbers)| {
+        let symbol = |i| is_varied(name, Some(i)).then(|| component(name, i));
+        match numbers {
+            Numbers::One(_) if is_varied(name, None) => None,
+            Numbers::One(value) => Some(format!("{name}{suffix} = {}", number(*value))),
+            Numbers::Many(values) if values.len() > MOST_COMPONENTS => {
+                Some(format!("{name}{suffix}: {} numbers", values.len()))
+            }
+            Numbers::Many(values) => vector_of(&format!("{name}{suffix}"), values, symbol),
+        }
+    };
+    numbers.iter().filter_map(words).collect()
+}
+
+/// The largest number of components that a caption shows.
+const MOST_COMPONENTS: usize = 12;
 
 /// Returns the name of a component of a vector in formulas.
 pub(super) fn component(name: &str, index: usize) -> String {

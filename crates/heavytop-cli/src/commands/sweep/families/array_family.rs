@@ -1,0 +1,215 @@
+//! A family of motions of a system of arrays.
+
+use super::course::Course;
+use super::family::{Family, own_integration, require_apart};
+use super::measured_motion::Drift;
+use super::varied_number::{VariedNumber, shared_numbers};
+use crate::configuration::{
+    Column, Config, Integration, Observable, Parameter, SweepAxis, SystemConfig,
+};
+use crate::errors::{Error, SweepError, SystemTableError};
+use crate::runs::Schedule;
+use collective_integrators::{AnyState, Start};
+use heavytop::methods::{Formulation, Method};
+use lie_poisson_runs::step_angle::require_run;
+use lie_poisson_runs::{ArraySystem, Model, RunFailure, TangentGrowth};
+
+/// The largest number of coordinates that are columns of a table.
+const MOST_COLUMNS: usize = 256;
+
+/// Motions of a system of arrays, whose parameters or starts differ.
+#[derive(Debug)]
+pub(in crate::commands::sweep) struct ArrayFamily {
+    table: SystemConfig,
+    /// The system with the configured parameters.
+    system: ArraySystem,
+    /// The number of each axis.
+    numbers: Vec<VariedNumber>,
+    method: Method,
+}
+
+impl ArrayFamily {
+    /// The observables of systems of arrays.
+    const OBSERVABLES: [Observable; 5] = [
+        Observable::FinalState,
+        Observable::InvariantDrift,
+        Observable::Lyapunov,
+        Observable::Megno,
+        Observable::Sali,
+    ];
+
+    /// Reads the motions that the axes describe, and the integrator with what `[integrator]` leaves out.
+    ///
+    /// # Errors
+    /// If there is no system with the configured parameters and start, an axis varies no number of it, or its integrators
+    /// have no tangent vectors that an observable needs.
+    pub fn new(
+        (table, system): (&SystemConfig, ArraySystem),
+        config: &Config,
+        axes: &[SweepAxis],
+    ) -> Result<(Self, Integration), Error> {
+        let of_axis = |axis: &SweepAxis| match &axis.parameter {
+            Parameter::System(parameter) => VariedNumber::of(parameter, table, None),
+            Parameter::Top(parameter) => Err(SweepError::OfAnother {
+                parameter: parameter.name().into(),
+                of: "a top",
+                has: "vary system.parameters.NAME or system.initial.NAME".into(),
+            }),
+        };
+        let numbers = axes.iter().map(of_axis).collect::<Result<Vec<_>, _>>()?;
+        require_apart(axes, &numbers, |one, other| one == other)?;
+        let formulations = system.formulations();
+        // Tangent vectors have no fibres in the reduced formulation.
+        let reduced = formulations.iter().find(|formulation| **formulation == Formulation::Reduced);
+        let formulation = reduced.or(formulations.first()).copied().unwrap_or_default();
+        let integration = config.integrator.or(own_integration(formulation));
+        let Integration { formulation, scheme, tolerance, .. } = integration;
+        let method = system.method(Some(formulation), scheme, tolerance)?;
+        let start = table.array_start(&system)?;
+        let observables = config.sweep.as_ref().map_or(Vec::new(), |all| all.observables.clone());
+        if observables.iter().any(|observable| observable.tangents() > 0) {
+            system.tangent_integrator(&method, &start)?;
+        }
+        Ok((Self { table: table.clone(), system, numbers, method }, integration))
+    }
+
+    /// Returns the system and its start at these values of the axes.
+    ///
+    /// # Errors
+    /// If there is none, it has other columns than the configured one, or its motion turns too far in a step.
+    fn at(&self, values: &[f64], step: f64) -> Result<(ArraySystem, Vec<f64>), Error> {
+        let mut table = self.table.clone();
+        for (varied, value) in self.numbers.iter().zip(values) {
+            varied.set(*value, &mut table, &mut []);
+        }
+        let system = table.array_system()?.ok_or(SystemTableError::NoArrays)?;
+        let columns = |system: &ArraySystem| {
+            format!("{} coordinates and {}", system.dimension(), names(system).join(", "))
+        };
+        let (found, expected) = (columns(&system), columns(&self.system));
+        if found != expected {
+            return Err(SweepError::OtherColumns { found, expected }.into());
+        }
+        let start = table.array_start(&system)?;
+        require_run(&system, &self.method, (&start, step))?;
+        Ok((system, start))
+    }
+
+    /// Follows a motion without tangent vectors, which not all integrators have.
+    fn end(
+        &self,
+        system: &ArraySystem,
+        start: &AnyState,
+        course: &Course,
+        observe: &mut dyn FnMut(f64, &[f64]),
+    ) -> Result<TangentGrowth, Error> {
+        let Schedule { step, steps } = course.schedule;
+        let integrator = system.integrator(&self.method, start.as_slice())?;
+        let mut end = start.clone();
+        let run = integrator.trajectory(start, step).map_err(RunFailure::from)?;
+        for sample in run.take(usize::try_from(steps).unwrap_or(usize::MAX).saturating_add(1)) {
+            let sample = sample.map_err(|error| RunFailure::of_step(&self.method, error))?;
+            observe(sample.time, sample.momentum.as_slice());
+            end = sample.momentum;
+        }
+        Ok(TangentGrowth { end, lyapunov: 0.0, megno: 0.0, alignment: None })
+    }
+}
+
+/// Returns the names of what is conserved.
+fn names(system: &ArraySystem) -> Vec<String> {
+    system.conserved(&[]).names()
+}
+
+impl Family for ArrayFamily {
+    fn nouns(&self) -> [&'static str; 2] {
+        ["run", "runs"]
+    }
+
+    fn method(&self) -> &Method {
+        &self.method
+    }
+
+    fn member(&self, values: &[f64], step: f64) -> Result<(Box<dyn Model>, Vec<f64>), Error> {
+        let (system, start) = self.at(values, step)?;
+        Ok((Box::new(system), start))
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn columns(&self, observable: Observable) -> Result<Vec<Column>, SweepError> {
+        match observable {
+            Observable::FinalState => {
+                let (found, most) = (self.system.dimension(), MOST_COLUMNS);
+                if found > most {
+                    return Err(SweepError::WideState { found, most });
+                }
+                let names = (&self.system as &dyn Model).columns();
+                let column = |name: &String| Column::linear(name, &format!("{name} at the end"));
+                Ok(names.iter().map(column).collect())
+            }
+            Observable::InvariantDrift => {
+                let column = |name: &String| {
+                    Column::logarithmic(&format!("drift_{name}"), &format!("deviation of {name}"))
+                };
+                Ok(names(&self.system).iter().map(column).collect())
+            }
+            shared if Self::OBSERVABLES.contains(&shared) => Ok(shared.columns()),
+            other => {
+                let has = Self::OBSERVABLES.map(Observable::name).to_vec();
+                Err(SweepError::OfTops { observable: other.name(), has })
+            }
+        }
+    }
+
+    fn labels(&self) -> Vec<String> {
+        self.numbers.iter().map(|varied| varied.label(None)).collect()
+    }
+
+    fn shared(&self) -> Vec<String> {
+        let parameters = shared_numbers(&self.table.parameters, "", |name, index| {
+            self.numbers.contains(&VariedNumber::Parameter(name.into(), index))
+        });
+        let start = shared_numbers(&self.table.initial, "(0)", |name, index| {
+            self.numbers.contains(&VariedNumber::Start(name.into(), index))
+        });
+        [self.system.about().to_owned()].into_iter().chain(parameters).chain(start).collect()
+    }
+
+    fn casimirs(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error> {
+        let (system, start) = self.at(values, course.schedule.step)?;
+        let mut drift = Drift::new(&system, &start)?;
+        let mut observe = |time: f64, state: &[f64]| drift.observe(time, state);
+        let from = AnyState::from_slice(&start);
+        let grown = match course.tangents() {
+            0 => self.end(&system, &from, course, &mut observe)?,
+            tangents => {
+                let integrator = system.tangent_integrator(&self.method, &start)?;
+                let followed = (tangents, &self.method);
+                TangentGrowth::follow(&integrator, &from, course.schedule, followed, &mut observe)?
+            }
+        };
+        if let Some((time, state)) = &drift.undefined {
+            let (time, reason) = (*time, drift.conserved.without_value(state));
+            return Err(RunFailure::NoValue { time, reason }.into());
+        }
+        let values = |observable: &Observable| match observable {
+            Observable::Lyapunov => vec![Some(grown.lyapunov)],
+            Observable::Megno => vec![Some(grown.megno)],
+            Observable::Sali => vec![grown.alignment],
+            Observable::InvariantDrift => drift.largest.iter().copied().map(Some).collect(),
+            _ => {
+                let mut end = grown.end.as_slice().to_vec();
+                system.present(&mut end);
+                end.into_iter().map(Some).collect()
+            }
+        };
+        Ok(course.observables.iter().flat_map(values).collect())
+    }
+}
