@@ -93,6 +93,36 @@ impl QuadraticMomenta {
         Self::new(matrices.iter().map(form).collect())
     }
 
+    /// Creates the momenta of matrices by rows: of those of a representation, or of the forms S_a.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Realisation`] as [`new`](Self::new) does, and if rows of a matrix have different lengths.
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson_formula_systems::QuadraticMomenta;
+    /// let rotation = vec![vec![0.0, -1.0], vec![1.0, 0.0]];
+    /// assert!(QuadraticMomenta::of_rows(&[rotation], true).is_ok());
+    /// assert!(QuadraticMomenta::of_rows(&[vec![vec![0.0, -1.0], vec![1.0]]], true).is_err());
+    /// ```
+    pub fn of_rows(
+        matrices: &[Vec<Vec<f64>>],
+        is_representation: bool,
+    ) -> Result<Self, FormulaSystemError> {
+        let matrix = |(a, rows): (usize, &Vec<Vec<f64>>)| {
+            let columns = rows.first().map_or(0, Vec::len);
+            if rows.iter().any(|row| row.len() != columns) {
+                return Err(wrong(format!("the rows of matrix {a} have different lengths")));
+            }
+            Ok(DMatrix::from_row_iterator(rows.len(), columns, rows.iter().flatten().copied()))
+        };
+        let matrices: Vec<_> = (1..).zip(matrices).map(matrix).collect::<Result<_, _>>()?;
+        match is_representation {
+            true => Self::of_representation(&matrices),
+            false => Self::new(matrices),
+        }
+    }
+
     /// Creates the momenta of so many copies of a representation.
     pub(crate) fn of_copies(
         matrices: &[DMatrix<f64>],

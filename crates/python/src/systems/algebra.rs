@@ -4,7 +4,6 @@ use crate::errors::refused;
 use core::ops::Range;
 use lie_poisson_formula_systems::{QuadraticMomenta, SystemAlgebra, SystemKind};
 use lie_poisson_formulas::{Coordinates, NameError, Parameters, StructureEntry};
-use nalgebra::DMatrix;
 use pyo3::{FromPyObject, IntoPyObject, PyResult, pyfunction};
 
 /// A parameter: its name, its numbers, and whether it is a vector.
@@ -77,15 +76,7 @@ pub(crate) fn realised(
     algebra: SystemAlgebra,
     (matrices, is_representation): &Realisation,
 ) -> PyResult<SystemAlgebra> {
-    let matrix = |rows: &Vec<Vec<f64>>| {
-        let columns = rows.first().map_or(0, Vec::len);
-        DMatrix::from_row_iterator(rows.len(), columns, rows.iter().flatten().copied())
-    };
-    let matrices: Vec<DMatrix<f64>> = matrices.iter().map(matrix).collect();
-    let momenta = match is_representation {
-        true => QuadraticMomenta::of_representation(&matrices),
-        false => QuadraticMomenta::new(matrices),
-    };
+    let momenta = QuadraticMomenta::of_rows(matrices, *is_representation);
     momenta.and_then(|momenta| algebra.with_realisation(momenta)).map_err(refused)
 }
 

@@ -7,7 +7,7 @@ use crate::errors::{Error, SystemTableError};
 use crate::runs::{Experiment, Pace, Schedule};
 use heavytop::methods::Formulation;
 use lie_poisson_formula_systems::{
-    FormulaSystem, FormulaSystemError, SystemAlgebra, SystemKind, structure_table,
+    FormulaSystem, FormulaSystemError, QuadraticMomenta, SystemAlgebra, SystemKind, structure_table,
 };
 use lie_poisson_formulas::{Coordinates, Parameters};
 use lie_poisson_runs::ArrayKind;
@@ -43,6 +43,13 @@ pub struct SystemConfig {
     /// a file with such a text.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub structure_constants: Option<String>,
+    /// The matrices of a representation of the algebra, one for each coordinate, along whose momenta p·ρq the collective
+    /// formulation goes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub representation: Option<Vec<Vec<Vec<f64>>>>,
+    /// The symmetric matrices of quadratic momenta, one for each coordinate, instead of a representation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub momenta: Option<Vec<Vec<Vec<f64>>>>,
     /// The numbers and vectors of numbers in the Hamiltonian and the brackets, by name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub parameters: BTreeMap<String, Numbers>,
@@ -155,6 +162,8 @@ impl SystemConfig {
             || self.hamiltonian.is_some()
             || self.structure_constants.is_some()
             || self.bracket.is_some()
+            || self.representation.is_some()
+            || self.momenta.is_some()
             || !self.brackets.is_empty()
     }
 
@@ -234,8 +243,23 @@ impl SystemConfig {
         named_numbers("parameters", &self.parameters)
     }
 
-    /// Returns the algebra by name, of the brackets, or of the structure constants.
+    /// Returns the algebra, with the momenta of its own.
+    ///
+    /// # Errors
+    /// If there is no such algebra, or the momenta are no Poisson map to its dual.
     fn algebra(&self, parameters: &Parameters) -> Result<SystemAlgebra, Error> {
+        let algebra = self.algebra_alone(parameters)?;
+        let momenta = match (&self.representation, &self.momenta) {
+            (None, None) => return Ok(algebra),
+            (Some(matrices), None) => QuadraticMomenta::of_rows(matrices, true),
+            (None, Some(matrices)) => QuadraticMomenta::of_rows(matrices, false),
+            (Some(_), Some(_)) => return Err(SystemTableError::TwoRealisations.into()),
+        };
+        Ok(algebra.with_realisation(momenta?)?)
+    }
+
+    /// Returns the algebra by name, of the brackets, or of the structure constants.
+    fn algebra_alone(&self, parameters: &Parameters) -> Result<SystemAlgebra, Error> {
         let has_brackets = !self.brackets.is_empty();
         match (&self.algebra, &self.structure_constants) {
             (Some(name), None) if !has_brackets => {

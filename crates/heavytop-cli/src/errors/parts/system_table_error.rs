@@ -24,6 +24,9 @@ pub enum SystemTableError {
         "write one of algebra, coordinates with brackets, and structure_constants with or without coordinates"
     )]
     TwoAlgebras,
+    /// The matrices of a representation stand beside those of momenta.
+    #[error("write representation or momenta, not both")]
+    TwoRealisations,
     /// A system by name has an algebra or a Hamiltonian of its own.
     #[error("a kind has its algebra and its Hamiltonian: write neither, or leave out kind")]
     TwoSystems,
@@ -91,11 +94,19 @@ impl SystemTableError {
             Self::TwoAlgebras => ["brackets", "structure_constants", "coordinates", "algebra", ""]
                 .map(|other| (below_system(other), "leave out all but one"))
                 .to_vec(),
-            Self::TwoSystems => {
-                ["hamiltonian", "algebra", "brackets", "structure_constants", "bracket", "kind"]
-                    .map(|other| (below_system(other), "leave it out"))
-                    .to_vec()
-            }
+            Self::TwoSystems => [
+                "hamiltonian",
+                "algebra",
+                "brackets",
+                "structure_constants",
+                "bracket",
+                "representation",
+                "momenta",
+                "kind",
+            ]
+            .map(|other| (below_system(other), "leave it out"))
+            .to_vec(),
+            Self::TwoRealisations => key("system.momenta", "leave one of them out"),
             Self::OnlySimulated { .. } => key("system.kind", "use simulate or sweep"),
             Self::NoArrays => Vec::new(),
             Self::TwoStarts | Self::NoStartFile | Self::OtherStart { .. } => {
@@ -123,6 +134,9 @@ fn keys_of(error: &FormulaSystemError) -> Vec<(String, &'static str)> {
         E::Structure(_) => key("structure_constants", ""),
         E::NoAlgebra { .. } | E::AlgebraText { .. } => key("algebra", ""),
         E::Symbols { .. } => key("coordinates", ""),
+        E::Realisation { .. } => {
+            ["representation", "momenta"].map(|of| (below_system(of), "")).to_vec()
+        }
         E::NoKind { .. } => key("kind", ""),
         E::KindParameter { is_start, name, .. } => {
             let table = if *is_start { "initial" } else { "parameters" };

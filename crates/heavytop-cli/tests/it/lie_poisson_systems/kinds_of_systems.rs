@@ -239,3 +239,48 @@ fn a_sweep_of_strengths_keeps_the_positions() {
         assert!((cell("m_1_1") - strength).abs() < 0.01);
     }
 }
+
+/// A body along the vectors (q, p) of R³, with the momentum q × p.
+#[test]
+fn a_realisation_of_ones_own_makes_the_collective_steps() {
+    let folder = Folder::new();
+    let body = "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi1^2 + Pi2^2/2 + 0.3*Pi3^2 + 0.1*Pi1^4'\n\
+                initial = { Pi = [0.6, 0.8, 0.3] }\n";
+    let end =
+        "[integrator]\nformulation = 'collective'\nscheme = 'gauss-4'\nstep = 0.1\nend = 50\n";
+    // Π = q × p
+    let matrices = "representation = [[[0,0,0],[0,0,-1],[0,1,0]], [[0,0,1],[0,0,0],[-1,0,0]], [[0,-1,0],[1,0,0],[0,0,0]]]\n";
+    let last = |text: &str, out: &str| {
+        folder.write("a.toml", text);
+        let run = folder.heavytop(&["simulate", "a.toml", "--out", out]);
+        assert_eq!((run.code(), run.complaints().as_str()), (0, ""), "{}", run.stderr());
+        numbers(&folder.read(out)).1
+    };
+    let own = last(&format!("{body}{matrices}{end}"), "own.csv");
+    let hopf = last(&format!("{body}{end}"), "hopf.csv");
+    // Both keep |Π|² to round-off of 500 steps; they are other maps, of one order.
+    let casimir = |rows: &[Vec<f64>]| {
+        let of = |row: &Vec<f64>| row[1] * row[1] + row[2] * row[2] + row[3] * row[3];
+        rows.iter().map(|row| (of(row) - of(&rows[0])).abs()).fold(0.0, f64::max)
+    };
+    assert!(
+        casimir(&own) < 1e-13 && casimir(&hopf) < 1e-13,
+        "{} {}",
+        casimir(&own),
+        casimir(&hopf)
+    );
+    let apart = (0..3).map(|i| (own[100][i + 1] - hopf[100][i + 1]).abs()).fold(0.0, f64::max);
+    assert!(apart > 1e-12 && apart < 1e-3, "{apart}");
+    for (given, said) in [
+        (matrices.replace("[0,0,-1]", "[0,0,-2]"), "realisation:"),
+        (matrices.replace("[0,0,-1]", "[0,-1]"), "the rows of matrix 1 have different lengths"),
+        ("representation = [[[0,-1],[1,0]]]\n".into(), "realisation:"),
+        (format!("{matrices}momenta = [[[0,1],[1,0]]]\n"), "representation or momenta, not both"),
+        ("momenta = [[[0,1],[2,0]]]\n".into(), "matrix 1 is not symmetric"),
+    ] {
+        folder.write("wrong.toml", &format!("{body}{given}{end}"));
+        let run = folder.heavytop(&["simulate", "wrong.toml", "--out", "none.csv"]);
+        assert!(run.code() == 2 && run.stderr().contains(said), "{said}: {}", run.stderr());
+        assert!(run.stderr().contains("wrong.toml, line "), "{}", run.stderr());
+    }
+}

@@ -34,11 +34,15 @@ const RUNS: [(&str, &str); 12] = [
 ];
 
 /// Configurations of runs of systems, below `[system]`.
-const SYSTEMS: [(&str, &str); 10] = [
+const SYSTEMS: [(&str, &str); 11] = [
     ("SystemTableError::Missing", "algebra = 'so(3)'"),
     (
         "SystemTableError::TwoAlgebras",
         "algebra = 'so(3)'\nbrackets = { 'x, y' = 'x' }\nhamiltonian = 'x'",
+    ),
+    (
+        "SystemTableError::TwoRealisations",
+        "algebra = 'R3'\nhamiltonian = 'p1'\nrepresentation = [[[0]]]\nmomenta = [[[0]]]",
     ),
     ("SystemTableError::TwoSystems", "kind = 'body-with-rotors'\nhamiltonian = 'Pi1'"),
     (
