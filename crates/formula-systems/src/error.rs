@@ -50,7 +50,7 @@ pub enum FormulaSystemError {
         kinds: Vec<String>,
     },
     /// A parameter of a system by name is missing, has another number of components, or is none of its parameters.
-    #[error("{kind}: {problem}{} There are {}", if problem.ends_with('?') { "" } else { "." }, has.join(", "))]
+    #[error("{kind}: {problem}{} It takes {}", if problem.ends_with('?') { "" } else { "." }, has.join(", "))]
     KindParameter {
         /// The name of the system.
         kind: &'static str,

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import heavytop
-from heavytop import ManyVortices, SphereFluid, SpinLattice, VibratingLattice, Vortices, lyapunov, solve_many
+from heavytop import Event, ManyVortices, SphereFluid, SpinLattice, VibratingLattice, Vortices, lyapunov, solve_many
 
 
 def spins(shape, seed=0):
@@ -69,7 +69,7 @@ def test_exponents_of_a_chain_are_those_of_its_formula():
     chaos = [lyapunov(system, s.reshape(-1), step=0.1, end=20) for system in (SpinLattice(4, 1.0), heavytop.SpinChain(4, 1.0))]
     assert chaos[0].exponents == pytest.approx(chaos[1].exponents, abs=1e-9)
     fluid = SphereFluid(4)
-    with pytest.raises(heavytop.IntegrationError, match="have no tangent vectors"):
+    with pytest.raises(ValueError, match="have no tangent vectors"):
         lyapunov(fluid, fluid.start(degrees=[1, 3]), step=0.1, end=1)
 
 
@@ -99,6 +99,78 @@ def test_many_vortices_are_those_of_the_formula():
     assert many.positions(runs[1].y).shape == (51, 7, 3)
 
 
+def test_events_are_functions_of_the_arrays():
+    """The spins of a field turn at |B|: their mean first component vanishes at known times."""
+    lattice = SpinLattice((2, 3), 1.0, field=[0, 0, 0.5])
+    start = {"direction": [1, 0, 1]}
+
+    def across(x):
+        assert x["S"].shape == (2, 3, 3)
+        return x["S"][..., 0].mean()
+
+    run = lattice.solve(start, step=0.1, end=15, events=[across, Event(across, direction=1, terminal=True)])
+    times = [math.pi * (k + 0.5) / 0.5 for k in range(2)]
+    assert run.t_events[0] == pytest.approx(times, abs=1e-8)
+    assert run.t_events[1] == pytest.approx(times[1:], abs=1e-8) and run.t[-1] == run.t_events[1][0]
+    assert np.abs(lattice.unpack(run.y_events[0].T)["S"][..., 0]).max() < 1e-8
+    # What the function sees and returns is in the arrays of the user, also for a fluid.
+    fluid = SphereFluid(5)
+    wave = fluid.solve({"coefficients": [[1, 0, 3, 0], [3, 2, 0.2, 0]]}, step=0.05, end=6, events=lambda x: x["omega"][3, 2])
+    assert len(wave.t_events[0]) > 0
+    assert np.abs(fluid.unpack(wave.y_events[0].T)["omega"][:, 3, 2]).max() < 1e-9
+
+    def failing(x):
+        if x["S"][0, 0, 0] < 0:
+            raise RuntimeError("the user's own")
+        return 1.0
+
+    with pytest.raises(RuntimeError, match="the user's own"):
+        lattice.solve(start, step=0.1, end=15, events=failing)
+
+
+def test_an_open_chain_is_that_of_its_formula():
+    s = spins((5,), 7)
+    few = heavytop.SpinChain(5, 1.0, periodic=False)
+    assert np.abs(SpinLattice(5, 1.0, periodic=False).rate(s.reshape(-1)) - few.rate(s.reshape(-1))).max() < 1e-14
+    assert np.abs(SpinLattice(5, 1.0).rate(s.reshape(-1)) - few.rate(s.reshape(-1))).max() > 0.1
+    with pytest.raises(ValueError, match="whole numbers along periodic axes, got 0.5"):
+        SpinLattice(5, 1.0).start(waves=[0.5], cone=0.2)
+    assert SpinLattice(5, 1.0, periodic=False).start(waves=[0.5], cone=0.2).shape == (15,)
+
+
+def test_a_fluid_starts_from_its_grid():
+    """Legendre's P2 and a wave with the phase of Condon and Shortley, on the colatitudes and longitudes of the grid."""
+    fluid = SphereFluid(8)
+    theta = math.pi * (np.arange(15) + 0.5) / 15
+    phi = math.pi * np.arange(30) / 15
+    p2 = (3 * np.cos(theta) ** 2 - 1) / 2
+    # Y_11 is -sqrt(3/(8 pi)) sin(theta) exp(i phi), and its real part counts twice.
+    wave = -2 * math.sqrt(3 / (8 * math.pi)) * np.outer(np.sin(theta), np.cos(phi))
+    state = fluid.start(vorticity=p2[:, None] + wave)
+    omega = fluid.harmonics(state)
+    assert omega[2, 0] == pytest.approx(math.sqrt(4 * math.pi / 5), abs=1e-13)
+    assert omega[1, 1] == pytest.approx(1, abs=1e-13)
+    omega[2, 0] = omega[1, 1] = 0
+    assert np.abs(omega).max() < 1e-13
+    assert np.abs(fluid.vorticity(state) - p2[:, None] - wave).max() < 1e-13
+    run = fluid.solve({"degrees": [1, 7], "seed": 2}, step=0.05, end=0.2)
+    grid = fluid.vorticity(run.y)
+    assert grid.shape == (5, 15, 30) and fluid.vorticity(run.y[:, 0], rows=4).shape == (4, 8)
+    assert np.abs(fluid.start(vorticity=grid[3]) - run.y[:, 3]).max() < 1e-13
+
+
+def test_starts_by_name_of_many_and_of_exponents():
+    lattice = SpinLattice((2, 2), 1.0)
+    named = [{"tilt": 0.5, "seed": i} for i in range(3)]
+    flat = np.stack([lattice.start(**one) for one in named], axis=1)
+    assert (solve_many(lattice, named, step=0.1, end=1).y == solve_many(lattice, flat, step=0.1, end=1).y).all()
+    one, other = (lyapunov(lattice, start, step=0.1, end=2).exponents for start in (named[0], flat[:, 0]))
+    assert one == other
+    pair, x = Vortices([1.0, 2.0]), np.array([[1, 0, 0], [0, 1, 0.0]])
+    found = [lyapunov(pair, start, step=0.1, end=2).exponents for start in (x, {"positions": x}, [1, 0, 0, 0, 2, 0])]
+    assert found[0] == found[1] == found[2]
+
+
 @pytest.mark.parametrize(
     "make",
     [
@@ -111,7 +183,8 @@ def test_many_vortices_are_those_of_the_formula():
 def test_systems_can_be_copied(make):
     system = make()
     copy = pickle.loads(pickle.dumps(system))
-    start = system.start(**({"degrees": [1, 3]} if isinstance(system, SphereFluid) else {"seed": 1}))
+    given = {"SphereFluid": {"degrees": [1, 3]}, "ManyVortices": {"seed": 1}}
+    start = system.start(**given.get(type(system).__name__, {"tilt": 0.5, "seed": 1}))
     assert copy.shapes == system.shapes and repr(copy) == repr(system)
     assert (copy.solve(start, step=0.1, end=0.2).y == system.solve(start, step=0.1, end=0.2).y).all()
 
@@ -144,19 +217,34 @@ def test_the_program_computes_the_same_bytes(program, tmp_path):
     [
         (lambda: SpinLattice((0, 4)), "shape must be one to three whole numbers"),
         (lambda: SpinLattice((2, 2), [1, 2, 3]), "one for each of 2 axes, got 3"),
-        (lambda: SpinLattice((2, 2), axis=[0, 0, 0], anisotropy=1.0), "axis must not be zero"),
+        (lambda: SpinLattice((2, 2), axis=[0, 0, 0], anisotropy=1.0), "axis must be different from 0"),
         (lambda: VibratingLattice(2, 1.0), "atoms must be a whole number from 3 on, got 2"),
         (lambda: SphereFluid(1), "size must be a whole number from 2 on, got 1"),
         (lambda: SphereFluid(1e9), "from 2 to 2048"),
         (lambda: ManyVortices([1.0, 0.0]), "strength"),
         (lambda: heavytop.ArraySystem("spins", {}), "there is no system of arrays spins; there are sphere-fluid"),
-        (lambda: SpinLattice(4, 1.0).solve(np.ones((5, 3)), step=0.1, end=1), r"y0 must have the shape \(12,\) or that of"),
+        (lambda: SpinLattice(4, 1.0).solve(np.ones((5, 3)), step=0.1, end=1), r"y0 must have the shape \(12,\), or be given by name, S \(4, 3\); got"),
         (lambda: SpinLattice(4, 1.0).solve(np.zeros((4, 3)), step=0.1, end=1), "number 1 is 0"),
-        (lambda: SpinLattice(4, 1.0).solve({"S": np.ones((4, 3)), "tip": 1}, step=0.1, end=1), "tip is wrong, missing"),
-        (lambda: SpinLattice(4, 1.0).solve({"tilt": 1}, step=0.1, end=1, events=["S"]), "has no events"),
+        (lambda: SpinLattice(4, 1.0).solve({"S": np.ones((4, 3)), "tip": 1}, step=0.1, end=1), "there is no tip"),
+        (lambda: SpinLattice(4, 1.0).solve({"tilt": 1}, step=0.1, end=1, events=["S"]), r"events\[0\] must be a function of the arrays"),
+        (lambda: SpinLattice(4, 1.0).solve({"tilt": 1}, step=0.1, end=1, events=lambda x: x["T"]), "T"),
+        (lambda: SpinLattice(4, 1.0).solve({"tilt": 1}, step=0.1, end=1, events=lambda x: x["S"]), r"events\[0\] must be a number"),
+        (lambda: SpinLattice((4, 4), 1.0).start(S=np.ones((3, 4, 4))), r"y0\['S'\] must have the shape \(4, 4, 3\), got \(3, 4, 4\)"),
+        (lambda: SpinLattice(4, 1.0, periodic=2), "periodic must be True or False"),
+        (lambda: SpinLattice(4, bonds=[1, 0, 0, 1]), r"bonds must have the shape \(n, 4\), got \(4,\)"),
+        (lambda: SpinLattice(4), "without them nothing moves"),
+        (lambda: SpinLattice(4, 1.0).structure_constants, "no table of structure constants"),
+        (lambda: SphereFluid(4).start(omega=np.ones((2, 8))), r"must have the shape \(4, 4\), got \(2, 8\)"),
+        (lambda: SphereFluid(4).start(vorticity=np.ones((14, 7))), r"must have the shape \(r, 2 r\), got \(14, 7\)"),
+        (lambda: SphereFluid(4).start(vorticity=np.ones((6, 12))), "r at least 7, got 72"),
+        (lambda: SphereFluid(4).start(vorticity=np.ones((7, 14))), "without a mean"),
+        (lambda: SphereFluid(4).start(coefficients=[2, 0, 1, 0]), r"must have the shape \(n, 4\), got \(4,\)"),
+        (lambda: ManyVortices([[1.0, 2.0], [3.0, 4.0]]), r"strengths must be one-dimensional, got the shape \(2, 2\)"),
+        (lambda: ManyVortices([1.0, 2.0]).start(positions=np.ones((3, 2))), r"must have the shape \(2, 3\), got \(3, 2\)"),
+        (lambda: VibratingLattice(4, 1.0).solve(np.ones((4, 3)), step=0.1, end=1), r"S \(4, 3\), q \(4,\), p \(4,\); got"),
         (lambda: SpinLattice(4, 1.0).section({"tilt": 1}, "S", step=0.1, end=1), "has no sections"),
         (lambda: SpinLattice(4, 1.0).solve({"tilt": 1}, step=0.1, end=1, scheme="spherical-midpoint"), "no collective spherical-midpoint"),
-        (lambda: SphereFluid(4).solve({}, step=0.1, end=1), "coefficients must be rows of four numbers"),
+        (lambda: SphereFluid(4).solve({}, step=0.1, end=1), "coefficients must be given, or vorticity"),
         (lambda: SpinLattice(4, 1.0).solve({"tilt": 1}, step=0.1, end=1)["q"], "the arrays are S, got 'q'"),
     ],
 )

@@ -140,8 +140,13 @@ def test_algebras_by_expression():
         (lambda: heavytop.SpinChain(1, 1.0), "a whole number from 2 to 85"),
         (lambda: heavytop.Gyrostat([1, 1, 3], 1, [0, 0, 1], [0, 0, 0]), "none above the sum of the others"),
         (lambda: heavytop.Vortices([1, 1]).solve([[1, 0, 0], [0, 2, 0]], step=0.1, end=1), "the length of number 2 is 2"),
-        (lambda: heavytop.Vortices([1, 1]).solve([[1, 0, 0]], step=0.1, end=1), r"shape \(6,\)"),
-        (lambda: heavytop.EllipticalVortex(1).solve({"a": 1.0}, step=0.1, end=1), "b is wrong, missing"),
+        (lambda: heavytop.Vortices([1, 1]).solve([[1, 0, 0]], step=0.1, end=1), r"shape \(2, 3\) or \(6,\), got \(1, 3\)"),
+        (lambda: heavytop.Vortices([1, 2]).solve([1, 0, 0, 0, 1, 0], step=0.1, end=1), "m_2 must have the length of strength 2"),
+        (lambda: heavytop.Vortices([[1, 2], [3, 4]]), "strengths must be one-dimensional"),
+        (lambda: heavytop.Vortices([1, 1]).solve({"seed": 1}, step=0.1, end=1), "there is no seed. It takes positions"),
+        (lambda: heavytop.RigidBody(np.eye(4)), "moments must be one-dimensional"),
+        (lambda: heavytop.SpinChain(3, 1).solve(np.ones((2, 3)), step=0.1, end=1), r"shape \(3, 3\) or \(9,\), got \(2, 3\)"),
+        (lambda: heavytop.EllipticalVortex(1).solve({"a": 1.0}, step=0.1, end=1), "b is missing"),
     ],
 )
 def test_what_is_refused(make, message):

@@ -41,7 +41,7 @@ pub enum ParameterShape {
 /// const ALL: &[Parameter] = &[Parameter::vector("field", 3, "B"), Parameter::number("exchange", "J").or(&[0.0])];
 /// assert!(require_parameters(("spins", false), ALL, &[("field", Some(3))]).is_ok());
 /// let error = require_parameters(("spins", false), ALL, &[("field", Some(3)), ("exchagne", None)]).unwrap_err();
-/// assert!(error.to_string().starts_with("spins: there is no exchagne; did you mean exchange? There are field"));
+/// assert!(error.to_string().starts_with("spins: there is no exchagne; did you mean exchange? It takes field"));
 /// ```
 pub fn require_parameters(
     (kind, is_start): (&'static str, bool),
@@ -55,6 +55,12 @@ pub fn require_parameters(
         problem,
         has: all.iter().map(Parameter::described).collect(),
     };
+    let is_own = |name: &str| all.iter().any(|own| own.name == name);
+    if let Some((name, _)) = given.iter().find(|(name, _)| !is_own(name)) {
+        let near = closest_name(name, all.iter().map(|own| own.name));
+        let near = near.map_or_else(String::new, |near| format!("; did you mean {near}?"));
+        return Err(wrong(name, format!("there is no {name}{near}")));
+    }
     for own in all {
         let found = given.iter().find(|(name, _)| *name == own.name);
         match found {
@@ -68,12 +74,7 @@ pub fn require_parameters(
             _ => {}
         }
     }
-    let is_own = |name: &str| all.iter().any(|own| own.name == name);
-    given.iter().find(|(name, _)| !is_own(name)).map_or(Ok(()), |(name, _)| {
-        let near = closest_name(name, all.iter().map(|own| own.name));
-        let near = near.map_or_else(String::new, |near| format!("; did you mean {near}?"));
-        Err(wrong(name, format!("there is no {name}{near}")))
-    })
+    Ok(())
 }
 
 /// Returns a number of components in words.

@@ -107,6 +107,14 @@ def array(name: str, values: ArrayLike) -> NDArray[np.float64]:
         raise ValueError(f"{name} must be an array of real numbers, got {values!r}") from None
 
 
+def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """Returns a list of numbers, of any length."""
+    found = array(name, values)
+    if found.ndim != 1:
+        raise ValueError(f"{name} must be one-dimensional, got the shape {found.shape}")
+    return found
+
+
 def vector(name: str, values: ArrayLike) -> list[float]:
     """Returns three finite numbers."""
     numbers = array(name, values)

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
-from typing import Any
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from .arguments import array, count
-from .events import Events, NativeEvent
+from .arguments import array, count, numbers, real
+from .events import Events, NativeEvent, event_parts, list_of
 from .solution import Floats, Solution
 from .system import System
 from .system_description import Parameters, State
@@ -31,7 +31,8 @@ class ArraySystem(System):
     """A system of the library whose states are arrays of any size. Its classes are `SpinLattice` and others.
 
     A state, `y`, has all numbers of the arrays one after the other; `unpack` gives the arrays, and `run["S"]` those of a run.
-    `solve` takes a state, the array of a system that has one, or what `start` takes by name. There are no events.
+    `solve` takes a state, the array of a system that has one, or what `start` takes by name. Its events are Python functions of
+    the arrays by name, such as `lambda x: x["S"][..., 2].mean()`, which are called after each step. There are no sections.
 
     Args:
         kind: the name of the system, such as "spin-lattice".
@@ -70,9 +71,23 @@ class ArraySystem(System):
         """The symbols of what is conserved."""
         return tuple(self._arrays.invariants)
 
+    @property
+    def structure_constants(self) -> Any:
+        """Raises ValueError: a table of structure constants is of systems of few coordinates."""
+        raise ValueError("a system of arrays has no table of structure constants")
+
     def start(self, **given: ArrayLike) -> Floats:
         """Returns the state that is given by numbers and arrays by name, of shape (d,)."""
+        shapes = {**self.shapes, **self._shapes_of_start()}
+        for name, values in given.items():
+            shape, found = shapes.get(name), np.shape(values)
+            if shape is not None and found not in (shape, (math.prod(shape),)):
+                raise ValueError(f"y0[{name!r}] must have the shape {shape}, got {found}")
         return self._arrays.start(numbers_of("y0", given))
+
+    def _shapes_of_start(self) -> dict[str, tuple[int, ...]]:
+        """The shapes of arrays that a start may be given by, besides those of the state."""
+        return {}
 
     def unpack(self, y: ArrayLike) -> dict[str, Floats]:
         """Returns the arrays at states of shape (d,) or (d, n), by name, of their shapes or with an axis of n before them."""
@@ -80,9 +95,16 @@ class ArraySystem(System):
         return {name: arrays_of(self._arrays.arrays, states.T, name) for name in self._names}
 
     def _watched(self, events: Events) -> list[NativeEvent]:
-        if events is not None:
-            raise ValueError("a system of arrays has no events: leave events out")
-        return []
+        if events is None:
+            return []
+
+        def watched(name: str, event: Any) -> NativeEvent:
+            event, direction, terminal = event_parts(name, event)
+            if not callable(event.function):
+                raise ValueError(f"{name} must be a function of the arrays by name, got {event.function!r}")
+            return (lambda y: real(name, event.function(self.unpack(y)))), direction, terminal
+
+        return [watched(f"events[{i}]", event) for i, event in enumerate(list_of(events))]
 
     def _solved(self, run: Solution) -> ArraySolution:
         return ArraySolution(**{field.name: getattr(run, field.name) for field in fields(Solution)})
@@ -95,13 +117,17 @@ class ArraySystem(System):
         if isinstance(y0, Mapping):
             return self.start(**y0)
         state = array("y0", y0)
-        shapes = list(self.shapes.items())
-        # What is given is checked as by its name.
-        if len(shapes) == 1 and state.shape in (shapes[0][1], (self.dimension,)):
-            return self.start(**{shapes[0][0]: state.reshape(-1)})
+        if state.shape in self._shapes_of_state():
+            name = next(iter(self.shapes))
+            return self.start(**{name: state})
         if state.shape != (self.dimension,):
-            raise ValueError(f"y0 must have the shape ({self.dimension},) or that of {self.shapes}, got {state.shape}")
+            arrays = ", ".join(f"{name} {shape}" for name, shape in self.shapes.items())
+            raise ValueError(f"y0 must have the shape ({self.dimension},), or be given by name, {arrays}; got {state.shape}")
         return self.start(**{name: state[places] for name, places in self._names.items()})
+
+    def _shapes_of_state(self) -> list[tuple[int, ...]]:
+        shapes = list(self.shapes.values())
+        return shapes if len(shapes) == 1 else []
 
     def __repr__(self) -> str:
         shapes = ", ".join(f"{name} {shape}" for name, shape in self.shapes.items())
@@ -126,11 +152,13 @@ def arrays_of(arrays: list[tuple[str, list[int]]], states: Floats, name: str) ->
 
 
 class SpinLattice(ArraySystem):
-    """Classical spins on a periodic lattice of one to three dimensions, with the plus bracket; one array S.
+    """Classical spins on a lattice of one to three dimensions, with the plus bracket; one array S.
 
     h = -sum J s_i.s_j over neighbours - K sum (a.s_i)^2 - B.sum s_i, and ds_i/dt = s_i x H_i with H_i = -dh/ds_i. A start is
     an array of the shape of S, or `{"direction": [0, 0, 1], "waves": [1, 0], "cone": 0.1, "tilt": 0.05, "seed": 1}`: spins
-    along a direction, on the cone of a wave with so many periods along each axis, and tilted at random.
+    along a direction, on the cone of a wave with so many periods along each axis, and tilted at random. Conserved are h, the
+    total spin (M1, M2, M3), or its part M along an axis or a field, and C = sum |s_i|^2. The scheme "spherical-midpoint" under
+    "reduced" is the fastest for periodic lattices.
 
     Args:
         shape: the number of spins along each axis; S has the shape (*shape, 3).
@@ -139,6 +167,7 @@ class SpinLattice(ArraySystem):
         axis: a, of which the direction counts.
         field: B.
         bonds: rows (d1, d2, d3, J) of further bonds, each to the spin at that offset.
+        periodic: whether the axes are rings or have open ends, for all axes or for each.
 
     Example:
         A spin wave on a cone about z turns at 2 J cos(cone) (1 - cos k):
@@ -156,21 +185,33 @@ class SpinLattice(ArraySystem):
     def __init__(
         self,
         shape: ArrayLike,
-        exchange: ArrayLike = 0.0,
-        anisotropy: float = 0.0,
+        exchange: Optional[ArrayLike] = None,
+        anisotropy: Optional[float] = None,
         axis: ArrayLike = (0.0, 0.0, 1.0),
-        field: ArrayLike = (0.0, 0.0, 0.0),
-        bonds: ArrayLike = (),
+        field: Optional[ArrayLike] = None,
+        bonds: Optional[ArrayLike] = None,
+        periodic: Union[bool, Sequence[bool]] = True,
     ) -> None:
-        numbers = {"shape": np.atleast_1d(shape), "exchange": exchange, "anisotropy": anisotropy, "axis": axis}
-        super().__init__("spin-lattice", {**numbers, "field": field, "bonds": np.ravel(bonds)})
+        given: dict[str, Any] = {"exchange": exchange, "anisotropy": anisotropy, "field": field}
+        if bonds is not None:
+            rows = array("bonds", bonds)
+            if rows.shape != (len(rows), 4):
+                raise ValueError(f"bonds must have the shape (n, 4), got {rows.shape}")
+            given["bonds"] = rows.ravel()
+        rings = np.asarray(periodic)
+        if rings.dtype != bool:
+            raise ValueError(f"periodic must be True or False, for all axes or for each, got {periodic!r}")
+        given = {name: value for name, value in given.items() if value is not None}
+        shaped = {"shape": np.atleast_1d(shape), "axis": axis, "periodic": rings.astype(float)}
+        super().__init__("spin-lattice", {**shaped, **given})
 
 
 class VibratingLattice(ArraySystem):
     """Classical spins on a chain of atoms in motion; arrays S (N, 3), q (N,) and p (N,).
 
-    h = sum p_i^2/2m + kappa (q_(i+1) - q_i)^2/2 - (J - a (q_(i+1) - q_i)) s_i.s_(i+1), periodic. A start is given by S, or as
-    for `SpinLattice`, and by q and p, which are 0 unless given.
+    h = sum p_i^2/2m + kappa (q_(i+1) - q_i)^2/2 - (J - a (q_(i+1) - q_i)) s_i.s_(i+1), periodic. A start is given by name: S,
+    or what gives the spins of a `SpinLattice`, and q and p, which are 0 unless given. Conserved are h, the total spin (M1, M2,
+    M3), the total momentum P, and C = sum |s_i|^2.
 
     Args:
         atoms: how many there are, at least 3.
@@ -183,16 +224,21 @@ class VibratingLattice(ArraySystem):
     def __init__(
         self, atoms: int, exchange: float, mass: float = 1.0, stiffness: float = 1.0, coupling: float = 0.0
     ) -> None:
-        numbers = {"atoms": count("atoms", atoms, 3), "exchange": exchange, "mass": mass}
-        super().__init__("vibrating-lattice", {**numbers, "stiffness": stiffness, "coupling": coupling})
+        given = {"atoms": count("atoms", atoms, 3), "exchange": exchange, "mass": mass}
+        super().__init__("vibrating-lattice", {**given, "stiffness": stiffness, "coupling": coupling})
 
 
 class SphereFluid(ArraySystem):
     """An ideal fluid on the sphere, by Zeitlin's model; one array omega of shape (N, N).
 
-    omega holds the coefficients of the absolute vorticity in orthonormal spherical harmonics: Re omega_lm at [l, m], and
-    Im omega_lm at [m - 1, l]; `harmonics` gives them as complex numbers. A start is such an array, or
-    `{"degrees": [2, 10], "rms": 1, "seed": 0}` at random, or `{"coefficients": [[l, m, re, im], ...]}`.
+    omega holds the coefficients of the absolute vorticity in orthonormal spherical harmonics with the phase of Condon and
+    Shortley: Re omega_lm at [l, m], and Im omega_lm at [m - 1, l]; `harmonics` gives them as complex numbers, and `vorticity`
+    the values on a grid. A start is such an array, or `{"degrees": [2, 10], "rms": 1, "seed": 0}` at random, or
+    `{"coefficients": [[l, m, re, im], ...]}`, or `{"vorticity": array}` of shape (r, 2 r) with r >= 2 N - 1, as `vorticity`
+    returns. On a sphere that rotates at Omega the absolute vorticity of a fluid at rest there is 2 Omega cos(theta), the
+    coefficient omega_10 = 2 Omega sqrt(4 pi/3): add it to a start relative to the sphere. Conserved are h, the kinetic energy;
+    the enstrophy Z, the integral of omega^2; and the angular momentum (M1, M2, M3), or M3 alone on a sphere that rotates. There
+    are no tangent vectors, and so no exponents.
 
     Args:
         size: N; harmonics of degree below N are kept.
@@ -211,6 +257,29 @@ class SphereFluid(ArraySystem):
     def __init__(self, size: int, rotation: float = 0.0) -> None:
         super().__init__("sphere-fluid", {"size": count("size", size, 2), "rotation": rotation})
 
+    def vorticity(self, y: ArrayLike, rows: Optional[int] = None) -> Floats:
+        """Returns the vorticity at states of shape (d,) or (d, n), as an array of shape (r, 2 r) or (n, r, 2 r).
+
+        The rows are at the colatitudes pi (i + 1/2)/r, from the north, and the columns at the longitudes pi j/r.
+
+        Args:
+            rows: r, by default 2 N - 1, from which a start has the same coefficients.
+        """
+        states = self._states("y", y)
+        r = 2 * self.shapes["omega"][0] - 1 if rows is None else count("rows", rows, 1)
+        values = self._arrays.on_grid(np.atleast_2d(states.T), r)
+        return values.reshape(*states.shape[1:], r, 2 * r)
+
+    def start(self, **given: ArrayLike) -> Floats:
+        """Returns the state that is given by numbers and arrays by name, of shape (d,)."""
+        grid = np.shape(given.get("vorticity", np.zeros((1, 2))))
+        if len(grid) != 2 or grid[1] != 2 * grid[0]:
+            raise ValueError(f"y0['vorticity'] must have the shape (r, 2 r), got {grid}")
+        rows = np.shape(given.get("coefficients", np.zeros((1, 4))))
+        if len(rows) != 2 or rows[1] != 4:
+            raise ValueError(f"y0['coefficients'] must have the shape (n, 4), got {rows}")
+        return super().start(**given)
+
     def harmonics(self, y: ArrayLike) -> "np.ndarray[Any, np.dtype[np.complex128]]":
         """Returns omega_lm at [..., l, m], 0 <= m <= l < N, of states of shape (d,) or (d, n)."""
         omega = self.unpack(y)["omega"]
@@ -222,16 +291,19 @@ class SphereFluid(ArraySystem):
 class ManyVortices(ArraySystem):
     """Point vortices on the unit sphere, as many as there are strengths; one array m (N, 3), the positions times the strengths.
 
-    A start is given by `{"positions": array of shape (N, 3)}`, by m, or by `{"seed": 1}` at random. The formula of `Vortices`
-    has up to 48, and events, too.
+    A start is given by `{"positions": array of shape (N, 3)}`, by m, or by `{"seed": 1}` at random. `Vortices` has up
+    to 48 by a formula, with sections. Conserved are h, the moment of vorticity (M1, M2, M3), and C = sum |x_i|^2.
 
     Args:
         strengths: the circulation of each vortex, m^2/s.
     """
 
     def __init__(self, strengths: ArrayLike) -> None:
-        self._strengths = array("strengths", strengths).reshape(-1)
+        self._strengths = numbers("strengths", strengths)
         super().__init__("vortices", {"strengths": self._strengths})
+
+    def _shapes_of_start(self) -> dict[str, tuple[int, ...]]:
+        return {"positions": self.shapes["m"]}
 
     def positions(self, y: ArrayLike) -> Floats:
         """Returns the positions at states of shape (d,) or (d, n), as an array of shape (N, 3) or (n, N, 3)."""

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any, Optional, Union
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from . import _native
 from ._native import IntegrationError
@@ -55,7 +54,7 @@ class Chaos:
 
 def lyapunov(
     system: Union[Top, Sequence[Top], System],
-    y0: ArrayLike,
+    y0: Any,
     *,
     step: float,
     end: float,
@@ -74,7 +73,8 @@ def lyapunov(
 
     Args:
         system: a top or a system; or a sequence of n tops, one for each state.
-        y0: the initial state, shape (d,), for a top (Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3); or n states, shape (d, n).
+        y0: the initial state, shape (d,), for a top (Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3); or n states, shape (d, n). A
+            state of a system may be given as for its `solve`, and several as a list of states by name.
         step: the time step.
         end: the end: a multiple of the step, to within 1e-9 of itself. Before 0 the indicators are those of the motion
             backward in time.
@@ -107,7 +107,7 @@ def lyapunov(
     """
     tops = [] if isinstance(system, System) else natives(system)
     dimension = system.dimension if isinstance(system, System) else 6
-    states = array("y0", y0)
+    states = system._many_states("y0", y0) if isinstance(system, System) else array("y0", y0)
     if states.ndim not in (1, 2) or states.shape[0] != dimension:
         raise ValueError(f"y0 must have the shape ({dimension},) or ({dimension}, n), got {states.shape}")
     number = count("exponents", exponents, 1)

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 from typing import Any, Optional, Union
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from . import _native
 from .accuracy import members_of_system, members_of_tops, warn_of_many
-from .arguments import array, choice, course, states
+from .arguments import choice, course, states
 from .ends import Ends
 from .solution import Floats
 from .system import System
@@ -80,7 +79,7 @@ def steps_of(times: tuple[float, float]) -> int:
 
 def solve_many(
     tops: Union[Top, Sequence[Top], System],
-    y: ArrayLike,
+    y: Any,
     *,
     step: float,
     end: float,
@@ -99,7 +98,8 @@ def solve_many(
 
     Args:
         tops: one top for all states, or a sequence of n tops; or a system for all states.
-        y: the initial states, shape (d, n): for tops (Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3).
+        y: the initial states, shape (d, n): for tops (Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3); of a system also a list of
+            states by name.
         step: the time step, s.
         end: the end, s: a multiple of the step, to within 1e-9 of itself. An end before 0 is reached backward in time.
         scheme: for tops "implicit-midpoint", "gauss-4", "gauss-6", "gauss-8", "gauss-10", "gauss-12" or "gauss-16", which
@@ -125,7 +125,7 @@ def solve_many(
     """
     step, end = course(step, end)
     if isinstance(tops, System):
-        return of_system(tops, array("y", y), (step, end), (formulation, scheme))
+        return of_system(tops, tops._many_states("y", y), (step, end), (formulation, scheme))
     if formulation not in (None, "collective"):
         raise ValueError(f"formulation must be collective for tops, got {formulation!r}")
     starts = states("y", y)

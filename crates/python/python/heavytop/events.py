@@ -15,7 +15,8 @@ from .tracing import trace
 Function = Union[str, Callable[[Any], Any]]
 """A function of the state: a formula, or a Python function of the coordinates that is called once, with symbols."""
 
-NativeEvent = tuple[Union[str, list[Part]], int, int]
+NativeEvent = tuple[Any, int, int]
+"""The function, the direction, and the number of the occurrence that ends the run, or 0."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +31,7 @@ class Event:
     Attributes:
         function: a formula in the coordinates, such as "Gamma3 - 0.5" or "Pi·Gamma - 1", or a Python function of them, such
             as `lambda x: x.Gamma3 - 0.5`, which is called once, with symbols.
-        direction: 1 for zeros where the function grows along the run, -1 where it falls, 0 for both. Along a run backward in
+        direction: positive for zeros where the function grows along the run, negative where it falls, 0 for both. Along a run backward in
             time a function grows that falls in time, as in SciPy.
         terminal: whether the run ends at the first zero; a whole number ends it at that zero, counted from 1.
     """
@@ -71,13 +72,18 @@ def is_list(events: Events) -> bool:
     return not isinstance(events, (Event, str)) and not callable(events)
 
 
+def list_of(events: Events) -> list[Any]:
+    """Returns events as a list."""
+    return list(events) if is_list(events) else [events]  # type: ignore[arg-type]
+
+
 def native_events(
     events: Events, names: Mapping[str, slice], parameters: Mapping[str, Any]
 ) -> list[NativeEvent]:
     """Returns events as the native part takes them."""
     if events is None:
         return []
-    every: Sequence[Any] = list(events) if is_list(events) else [events]  # type: ignore[arg-type]
+    every = list_of(events)
     return [native_event(f"events[{i}]", event, names, parameters) for i, event in enumerate(every)]
 
 
@@ -85,10 +91,15 @@ def native_event(
     name: str, event: Union[Event, Function], names: Mapping[str, slice], parameters: Mapping[str, Any]
 ) -> NativeEvent:
     """Returns an event as the native part takes it."""
+    event, direction, terminal = event_parts(name, event)
+    return function_source(name, event.function, names, parameters), direction, terminal
+
+
+def event_parts(name: str, event: Union[Event, Function]) -> tuple[Event, int, int]:
+    """Returns an event, its direction, and the number of the occurrence that ends the run, or 0."""
     if not isinstance(event, Event):
         event = Event(event, getattr(event, "direction", 0), getattr(event, "terminal", False))
     terminal = event.terminal
     if not isinstance(terminal, (bool, np.bool_, int, np.integer)) or terminal < 0:
         raise ValueError(f"the terminal of {name} must be True, False or a whole number from 1 on, got {terminal!r}")
-    direction = int(np.sign(real(f"the direction of {name}", event.direction)))
-    return function_source(name, event.function, names, parameters), direction, int(terminal)
+    return event, int(np.sign(real(f"the direction of {name}", event.direction))), int(terminal)

@@ -7,7 +7,7 @@ from typing import Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .arguments import array
+from .arguments import array, numbers
 from .solution import Floats
 from .system import System
 from .system_description import State
@@ -86,7 +86,7 @@ class RigidBody(System):
     """
 
     def __init__(self, moments: ArrayLike) -> None:
-        super().__init__(kind="rigid-body", parameters={"moments": moments})
+        super().__init__(kind="rigid-body", parameters={"moments": numbers("moments", moments)})
 
 
 class TopOnBase(System):
@@ -105,14 +105,23 @@ class TopOnBase(System):
         super().__init__(kind="top-on-base", parameters={"inertia": inertia, "center_of_mass": center_of_mass, **masses})
 
 
+ON_SPHERE = 1e-5
+"""The largest distance of a vortex from the unit sphere, that of positions with six digits."""
+
+
 class _Vectors(System):
     """A system of N vectors, whose states may be arrays of shape (N, 3)."""
 
     def _state(self, y0: State) -> Floats:
-        count = self.dimension // 3
-        if not hasattr(y0, "keys") and np.shape(y0) == (count, 3):
+        if not hasattr(y0, "keys") and np.shape(y0) in self._shapes_of_state():
             y0 = array("y0", y0).reshape(-1)
         return super()._state(y0)
+
+    def _shape_of_state(self) -> str:
+        return f"({self.dimension // 3}, 3) or ({self.dimension},)"
+
+    def _shapes_of_state(self) -> list[tuple[int, ...]]:
+        return [(self.dimension // 3, 3)]
 
     def _vectors(self, y: ArrayLike) -> Floats:
         states = self._states("y", y)
@@ -184,13 +193,23 @@ class Vortices(_Vectors):
     """
 
     def __init__(self, strengths: ArrayLike) -> None:
-        super().__init__(kind="vortices", parameters={"strengths": strengths})
-        self._strengths = array("strengths", strengths)
+        self._strengths = numbers("strengths", strengths)
+        super().__init__(kind="vortices", parameters={"strengths": self._strengths})
 
     def _state(self, y0: State) -> Floats:
-        if not hasattr(y0, "keys") and np.shape(y0) == (self.dimension // 3, 3):
+        if not hasattr(y0, "keys") and np.shape(y0) in self._shapes_of_state():
             y0 = {"positions": array("y0", y0)}
-        return super()._state(y0)
+        state = super()._state(y0)
+        lengths = np.linalg.norm(self.positions(state), axis=1)
+        away = np.flatnonzero(abs(lengths - 1) > ON_SPHERE)
+        if away.size:
+            i = int(away[0])
+            raise ValueError(
+                f"m_{i + 1} must have the length of strength {self._strengths[i]}, got {lengths[i] * abs(self._strengths[i])}: "
+                f"a flat state has the positions times the strengths, and an array of shape {np.shape(self.positions(state))} "
+                "has the positions"
+            )
+        return state
 
     def positions(self, y: ArrayLike) -> Floats:
         """Returns the positions at states of shape (d,) or (d, n), as an array of shape (N, 3) or (n, N, 3)."""

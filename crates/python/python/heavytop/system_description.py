@@ -147,12 +147,28 @@ class SystemDescription:
         """Returns the coordinates of one state."""
         if isinstance(y0, Mapping):
             y0 = self._by_name(y0)
-        state = self._states("y0", y0)
-        if state.ndim != 1:
-            raise ValueError("y0 must be one state; heavytop.solve_many follows many")
+        state = array("y0", y0)
+        if state.shape != (self.dimension,):
+            many = "; heavytop.solve_many follows many states" if state.ndim == 2 else ""
+            raise ValueError(f"y0 must have the shape {self._shape_of_state()}, got {state.shape}{many}")
         for name, x in zip(self.coordinates, state):
             real(f"y0 at {name}", x)
         return state
+
+    def _shape_of_state(self) -> str:
+        return f"({self.dimension},)"
+
+    def _many_states(self, name: str, y: Any) -> Floats:
+        """Returns one state of shape (d,) or n of shape (d, n), which may be given by name, too."""
+        if isinstance(y, Mapping) or not isinstance(y, (list, tuple)) and np.shape(y) in self._shapes_of_state():
+            return self._state(y)
+        if isinstance(y, (list, tuple)) and y and all(isinstance(one, Mapping) for one in y):
+            return np.stack([self._state(one) for one in y], axis=1)
+        return self._states(name, y)
+
+    def _shapes_of_state(self) -> list[tuple[int, ...]]:
+        """The shapes of a state, besides (d,)."""
+        return []
 
     def _by_name(self, values: Mapping[str, ArrayLike]) -> Floats:
         if self._kind is not None:

@@ -4,35 +4,52 @@ use crate::errors::{IntegrationError, failed, message};
 use crate::formulas::FormulaSource;
 use collective_integrators::{AnyIntegrator, AnyState, Direction, EventError, EventSearch};
 use heavytop::PrincipalAxes;
-use lie_poisson_formulas::{Formula, Vocabulary};
-use lie_poisson_runs::TopInAxes;
+use lie_poisson_formulas::Vocabulary;
+use lie_poisson_runs::{Model, TopInAxes};
+use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
-use pyo3::{PyErr, PyResult};
+use pyo3::{Py, PyAny, PyErr, PyResult, Python};
+use std::sync::{Arc, Mutex};
 
 /// An event as Python passes it: the function, the direction 1, −1 or 0, and after how many occurrences the run ends.
 pub(crate) type EventArgument = (FormulaSource, i8, u64);
 
+/// A function of the arrays of a system as Python passes it, with the direction and the number of the last occurrence.
+pub(crate) type CallbackArgument = (Py<PyAny>, i8, u64);
+
+/// A function of a state.
+type Function<'a> = Box<dyn Fn(&[f64]) -> f64 + Send + Sync + 'a>;
+
 /// A function of the state whose zeros are found.
-#[derive(Clone)]
-pub(crate) struct Event {
-    function: Formula,
+pub(crate) struct Event<'a> {
+    function: Function<'a>,
+    /// The period of an angle.
+    period: Option<f64>,
     direction: Direction,
-    /// The principal axes of a top, in the axes of the function's coordinates, where these are others.
-    axes: Option<PrincipalAxes>,
     /// The number of occurrences after which the run ends; 0 if it does not.
     pub(crate) last: u64,
+    /// The exception that the function has raised.
+    raised: Arc<Mutex<Option<PyErr>>>,
 }
 
-impl Event {
-    /// Creates an event in the names of a space.
+impl<'a> Event<'a> {
+    /// Creates an event in the names of a space. With `axes` its coordinates are those of a top in other axes than the
+    /// principal ones.
     pub(crate) fn new(
-        argument: &EventArgument,
+        (function, way, last): &EventArgument,
         names: &Vocabulary,
         axes: Option<PrincipalAxes>,
     ) -> PyResult<Self> {
-        let (function, way, last) = argument;
-        let (function, direction) = (function.formula(names)?, direction(*way)?);
-        Ok(Self { function, direction, axes, last: *last })
+        let formula = function.formula(names)?;
+        let period = formula.period();
+        let function = move |mu: &[f64]| match &axes {
+            Some(axes) => {
+                let given = axes.state_from_principal(&TopInAxes::state(mu));
+                formula.value_at(&TopInAxes::coordinates(&given))
+            }
+            None => formula.value_at(mu),
+        };
+        Self::of(Box::new(function), period, (*way, *last), Arc::default())
     }
 
     /// Creates several events.
@@ -44,20 +61,51 @@ impl Event {
         arguments.iter().map(|argument| Self::new(argument, names, axes)).collect()
     }
 
-    /// Returns the search for the event along a run of an integrator.
-    pub(crate) fn search<'a>(
-        &'a self,
-        integrator: &'a AnyIntegrator,
-    ) -> EventSearch<'a, AnyIntegrator, impl Fn(&AnyState) -> f64 + use<'a>> {
-        let function = |mu: &AnyState| match &self.axes {
-            Some(axes) => {
-                let given = axes.state_from_principal(&TopInAxes::state(mu.as_slice()));
-                self.function.value_at(&TopInAxes::coordinates(&given))
-            }
-            None => self.function.value_at(mu.as_slice()),
+    /// Creates an event of a Python function of the state as users read it.
+    pub(crate) fn of_callback(
+        (callback, way, last): &'a CallbackArgument,
+        model: &'a dyn Model,
+    ) -> PyResult<Self> {
+        let raised: Arc<Mutex<Option<PyErr>>> = Arc::default();
+        let keep = Arc::clone(&raised);
+        let function = move |mu: &[f64]| {
+            let mut state = mu.to_vec();
+            model.present(&mut state);
+            let value = Python::attach(|py| {
+                callback.call1(py, (PyArray1::from_vec(py, state),))?.extract::<f64>(py)
+            });
+            value.unwrap_or_else(|error| {
+                if let Ok(mut first) = keep.lock() {
+                    first.get_or_insert(error);
+                }
+                f64::NAN
+            })
         };
+        Self::of(Box::new(function), None, (*way, *last), raised)
+    }
+
+    fn of(
+        function: Function<'a>,
+        period: Option<f64>,
+        (way, last): (i8, u64),
+        raised: Arc<Mutex<Option<PyErr>>>,
+    ) -> PyResult<Self> {
+        Ok(Self { function, period, direction: direction(way)?, last, raised })
+    }
+
+    /// Returns the exception that the function has raised, if it has.
+    pub(crate) fn raised(&self) -> Option<PyErr> {
+        self.raised.lock().ok()?.take()
+    }
+
+    /// Returns the search for the event along a run of an integrator.
+    pub(crate) fn search<'b>(
+        &'b self,
+        integrator: &'b AnyIntegrator,
+    ) -> EventSearch<'b, AnyIntegrator, impl Fn(&AnyState) -> f64 + use<'a, 'b>> {
+        let function = |mu: &AnyState| (self.function)(mu.as_slice());
         let search = EventSearch::new(integrator, function, self.direction);
-        match self.function.period() {
+        match self.period {
             Some(period) => search.modulo(period),
             None => search,
         }

@@ -53,7 +53,7 @@ impl<'a> Following<'a> {
         &self,
         py: Python<'_>,
         (end, every): (f64, u64),
-        events: &[Event],
+        events: &[Event<'_>],
         attitude: Option<Option<Quaternion>>,
     ) -> PyResult<(Record, [usize; 2])> {
         let schedule = Schedule::new(self.step, end).map_err(refused)?;

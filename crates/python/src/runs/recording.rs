@@ -18,7 +18,7 @@ pub(crate) struct Recording<'a> {
     pub(crate) schedule: Schedule,
     pub(crate) every: u64,
     pub(crate) conserved: &'a dyn Conserved,
-    pub(crate) events: &'a [Event],
+    pub(crate) events: &'a [Event<'a>],
     /// The numbers of coordinates and of conserved quantities.
     pub(crate) widths: [usize; 2],
     /// Whether the attitude is recorded, which is in the last four coordinates of the states.
@@ -55,9 +55,14 @@ impl Recording<'_> {
             record.iterations += sample.iterations as u64;
             let end = match self.observe(&mut searches, &sample, &mut record) {
                 Ok(end) => end,
-                Err(error) if sample.step == 0 => return Err(event_failed(error, true)),
                 Err(error) => {
-                    record.failure = Some(event_failed(error, false));
+                    let is_start = sample.step == 0;
+                    let raised = self.events.get(error.0).and_then(Event::raised);
+                    let failure = raised.unwrap_or_else(|| event_failed(error, is_start));
+                    if is_start {
+                        return Err(failure);
+                    }
+                    record.failure = Some(failure);
                     break;
                 }
             };

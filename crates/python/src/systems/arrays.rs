@@ -5,9 +5,10 @@ use crate::arrays::rows;
 use crate::errors::refused;
 use crate::recorded::Recorded;
 use crate::runs::accuracy::{Accuracy, Check};
-use crate::runs::event::EventArgument;
+use crate::runs::event::{CallbackArgument, Event};
 use crate::runs::following::{Following, MethodArgument, Setting, present};
 use collective_integrators::diagnostics::SystemScales;
+use core::f64::consts::PI;
 use heavytop::methods::{Method, MethodError};
 use lie_poisson_formula_systems::FormulaSystemError;
 use lie_poisson_runs::{Arguments, ArrayKind, ArraySystem, Model, RunFailure};
@@ -92,6 +93,20 @@ impl Arrays {
         })
     }
 
+    /// Returns the values of a field on the sphere on a grid of so many circles, of each of n states, as n rows.
+    fn on_grid<'py>(
+        &self,
+        py: Python<'py>,
+        states: PyReadonlyArray2<'py, f64>,
+        rows: usize,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let colatitude = |i: usize| PI * (i as f64 + 0.5) / rows as f64;
+        self.each(py, &states, |given| {
+            let circle = |i| self.system.on_circle(given, colatitude(i), 2 * rows);
+            Ok((0..rows).filter_map(circle).flatten().collect())
+        })
+    }
+
     /// Returns the rate of each of n states, as n rows.
     fn rates<'py>(
         &self,
@@ -116,14 +131,16 @@ impl Arrays {
         setting: Setting,
         end: f64,
         every: u64,
-        events: Vec<EventArgument>,
+        events: Vec<CallbackArgument>,
     ) -> PyResult<Recorded> {
-        if !events.is_empty() {
-            return Err(PyValueError::new_err("a system of arrays has no events"));
-        }
         let run = self.following(&setting)?;
-        let (mut record, widths) = run.record(py, (end, every), &[], None)?;
-        py.detach(|| present(&self.system, &mut record.samples.states, widths[0]));
+        let events = events.iter().map(|event| Event::of_callback(event, &self.system));
+        let events = events.collect::<PyResult<Vec<_>>>()?;
+        let (mut record, widths) = run.record(py, (end, every), &events, None)?;
+        py.detach(|| {
+            let points = record.events.iter_mut().chain([&mut record.samples]);
+            points.for_each(|points| present(&self.system, &mut points.states, widths[0]));
+        });
         Recorded::new(py, record, widths)
     }
 

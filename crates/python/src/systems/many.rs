@@ -10,7 +10,7 @@ use crate::runs::interruption::until_interrupted;
 use collective_integrators::{AnyIntegrator, AnyState, CHECKPOINT, Start};
 use core::sync::atomic::{AtomicBool, Ordering};
 use heavytop::methods::{Formulation, Method};
-use lie_poisson_runs::{Model, Schedule};
+use lie_poisson_runs::{Model, RunFailure, Schedule};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::{Bound, FromPyObject, PyRef, PyResult, Python, pyfunction};
 use rayon::iter::ParallelIterator;
@@ -150,5 +150,9 @@ pub fn growth_of_system(
 ) -> PyResult<Indicators> {
     let (method, model) = (system.method(method)?, system.model());
     let starts: Vec<Vec<f64>> = states.as_array().outer_iter().map(|row| row.to_vec()).collect();
+    let first = starts.first().map(Vec::as_slice).unwrap_or_default();
+    if let Err(error @ RunFailure::NoTangents { .. }) = model.tangent_integrator(&method, first) {
+        return Err(refused(error));
+    }
     growth_of_models(py, &[model], &starts, times, (&method, tangents))
 }

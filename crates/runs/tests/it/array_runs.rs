@@ -208,8 +208,8 @@ fn what_does_not_fit_is_refused_with_what_is_needed() {
         ("spin-lattice", none().list("shape", vec![3.0]), "without them nothing moves"),
         ("spin-lattice", spins.clone().list("periodic", vec![1.0, 0.5]), "0 or 1, got 0.5"),
         ("spin-lattice", spins.clone().list("periodic", vec![1.0; 3]), "each of 2 axes, got 3"),
-        ("spin-lattice", none(), "shape is missing. There are shape of any"),
-        ("spin-lattice", spins.clone().number("J", 1.0), "there is no J. There are"),
+        ("spin-lattice", none(), "shape is missing. It takes shape of any"),
+        ("spin-lattice", spins.clone().number("J", 1.0), "there is no J. It takes"),
         (
             "spin-lattice",
             spins.clone().number("field", 1.0),

@@ -149,4 +149,71 @@ impl VorticityCoefficients {
         }
         values
     }
+
+    /// Returns the values on a grid of so many circles: at the colatitudes π(i + ½)/rows, from the north on, twice as many
+    /// longitudes from 0 on each, row by row.
+    #[must_use]
+    pub fn on_grid(&self, rows: usize) -> Vec<f64> {
+        let circle = |i| self.values_on_circle(colatitude(i, rows), 2 * rows);
+        (0..rows).flat_map(circle).collect()
+    }
+
+    /// Returns the coefficients of degree below a size of a function by its values [on a grid](Self::on_grid):
+    ///
+    /// ```text
+    /// ω_lm = ∫ ω Ȳ_lm dΩ = Σ_i w_i P_lm(cos θ_i) (π/rows) Σ_j ω(θ_i, φ_j) e^(−imφ_j)
+    /// ```
+    ///
+    /// with the weights w_i of Fejér's first rule. They are exact if the function has no higher degrees and there are at least
+    /// 2 size − 1 circles. They are NaN if the numbers are not those of a grid.
+    ///
+    /// Source: L. Fejér, *Mechanische Quadraturen mit positiven Cotesschen Zahlen*, Math. Z. 37 (1933).
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson_systems::VorticityCoefficients;
+    /// use lie_poisson_systems::num_complex::Complex;
+    /// let mut omega = VorticityCoefficients::zeros(4);
+    /// omega.set(3, 2, Complex::new(0.5, -0.25));
+    /// let again = VorticityCoefficients::of_grid(4, &omega.on_grid(7));
+    /// assert!((again.at(3, 2) - omega.at(3, 2)).norm() < 1e-14 && again.at(2, 2).norm() < 1e-14);
+    /// ```
+    #[must_use]
+    pub fn of_grid(size: usize, values: &[f64]) -> Self {
+        let rows = (values.len() / 2).isqrt();
+        if rows == 0 || 2 * rows * rows != values.len() {
+            return Self::from_fn(size, |_, _| Complex::new(f64::NAN, f64::NAN));
+        }
+        let columns = 2 * rows;
+        let mut omega = Self::zeros(size);
+        for (i, circle) in values.chunks_exact(columns).enumerate() {
+            let angle = colatitude(i, rows);
+            let scale = weight(angle, rows) * std::f64::consts::PI / rows as f64;
+            for m in 0..size {
+                let wave = |(j, value): (usize, &f64)| {
+                    let turns = ((m * j) % columns) as f64 / columns as f64;
+                    Complex::from_polar(*value, -std::f64::consts::TAU * turns)
+                };
+                let sum: Complex<f64> = circle.iter().enumerate().map(wave).sum();
+                for (l, p) in (m..).zip(associated_legendre(size - 1, m, angle.cos())) {
+                    omega.set(l, m, omega.at(l, m) + sum * (scale * p));
+                }
+            }
+        }
+        omega
+    }
+}
+
+/// Returns the colatitude of a circle of a grid.
+fn colatitude(i: usize, rows: usize) -> f64 {
+    std::f64::consts::PI * (i as f64 + 0.5) / rows as f64
+}
+
+/// Returns the weight of a circle in Fejér's first rule on so many circles.
+fn weight(colatitude: f64, rows: usize) -> f64 {
+    let term = |k: usize| {
+        let k = k as f64;
+        (2.0 * k * colatitude).cos() / (4.0 * k * k - 1.0)
+    };
+    2.0 / rows as f64 * (1.0 - 2.0 * (1..=rows / 2).map(term).sum::<f64>())
 }

@@ -15,8 +15,11 @@ pub(super) fn fluid_start(fluid: &SphereFluid, given: &Given<'_>) -> Started {
     if given.has("omega") {
         return as_array(fluid, given);
     }
+    if given.has("vorticity") {
+        return on_grid(fluid, given);
+    }
     if !given.has("degrees") && !given.has("coefficients") {
-        let needed = "given, or degrees of a random vorticity, or omega; nothing is";
+        let needed = "given, or vorticity, degrees of a random one, or omega; nothing is";
         return Err(given.refused("coefficients", needed.into()));
     }
     let mut omega = match given.has("degrees") {
@@ -39,6 +42,32 @@ fn as_array(fluid: &SphereFluid, given: &Given<'_>) -> Started {
     }
     Ok(values.to_vec())
 }
+
+/// Returns the coefficients of values on a grid.
+fn on_grid(fluid: &SphereFluid, given: &Given<'_>) -> Started {
+    given.require_alone("vorticity", &["omega", "coefficients", "degrees", "rms", "seed"])?;
+    let (n, values) = (fluid.size(), given.values("vorticity"));
+    let (rows, least) = ((values.len() / 2).isqrt(), 2 * n - 1);
+    if 2 * rows * rows != values.len() || rows < least {
+        let found = values.len();
+        let grid = format!("a grid of r rows and 2r columns with r at least {least}");
+        return Err(given.refused("vorticity", format!("{grid}, got {found} numbers")));
+    }
+    let mut omega = VorticityCoefficients::of_grid(n, values);
+    let mean = omega.at(0, 0).norm();
+    let largest = values.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
+    if mean > MEAN * largest {
+        let needed = "without a mean: that of a closed sphere is 0; subtract it";
+        return Err(given.refused("vorticity", needed.into()));
+    }
+    omega.set(0, 0, Complex::ZERO);
+    let mut state = vec![0.0; n * n];
+    fluid.write(&omega, &mut state);
+    Ok(state)
+}
+
+/// The mean of a vorticity that is zero by the rounding of numbers with five digits, relative to its largest value.
+const MEAN: f64 = 1e-5;
 
 /// Returns a random vorticity of some degrees and of a mean square.
 fn random(

@@ -20,6 +20,11 @@ pub(in crate::arrays) const START: &[Parameter] = &[
     )
     .or(&[]),
     Parameter::list("omega", "all coefficients as in the output, instead").or(&[]),
+    Parameter::list(
+        "vorticity",
+        "values on a grid, instead: row by row from the north, r rows at the colatitudes pi (i + 1/2)/r and 2r longitudes",
+    )
+    .or(&[]),
     Parameter::list("degrees", "the least and the largest degree of a random vorticity, instead")
         .or(&[]),
     Parameter::number("rms", "root mean square of a random vorticity").or(&[1.0]),
