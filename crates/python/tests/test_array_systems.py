@@ -215,7 +215,7 @@ def test_the_program_computes_the_same_bytes(program, tmp_path):
 @pytest.mark.parametrize(
     ("wrong", "said"),
     [
-        (lambda: SpinLattice((0, 4)), "shape must be one to three whole numbers"),
+        (lambda: SpinLattice((0, 4), 1.0), "shape must be one to three whole numbers"),
         (lambda: SpinLattice((2, 2), [1, 2, 3]), "one for each of 2 axes, got 3"),
         (lambda: SpinLattice((2, 2), axis=[0, 0, 0], anisotropy=1.0), "axis must be different from 0"),
         (lambda: VibratingLattice(2, 1.0), "atoms must be a whole number from 3 on, got 2"),

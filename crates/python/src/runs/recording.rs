@@ -56,9 +56,11 @@ impl Recording<'_> {
             let end = match self.observe(&mut searches, &sample, &mut record) {
                 Ok(end) => end,
                 Err(error) => {
+                    if let Some(raised) = self.events.get(error.0).and_then(Event::raised) {
+                        return Err(raised);
+                    }
                     let is_start = sample.step == 0;
-                    let raised = self.events.get(error.0).and_then(Event::raised);
-                    let failure = raised.unwrap_or_else(|| event_failed(error, is_start));
+                    let failure = event_failed(error, is_start);
                     if is_start {
                         return Err(failure);
                     }
