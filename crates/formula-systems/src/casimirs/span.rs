@@ -5,9 +5,9 @@ use nalgebra::DVector;
 /// The largest distance of a differential from the space of others, relative to the size of the sums that it is made of,
 /// that counts as rounding.
 ///
-/// A differential that lies in the space has a distance of less than 10⁻¹³, measured up to so(16), and one that does not
-/// a distance of 10⁻⁵ at least.
-const ROUNDING: f64 = 1e-9;
+/// One that lies in the space has a distance of 3·10⁻¹⁵ at most, and one that does not of 2·10⁻⁵ at least, measured on all
+/// invariants of algebras up to so(16), gl(13), sp(14, R) and su(8). The bound is the geometric mean.
+const ROUNDING: f64 = 2e-10;
 
 /// An orthonormal basis of the space that vectors span.
 #[derive(Clone, Debug, Default)]
