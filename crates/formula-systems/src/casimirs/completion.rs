@@ -76,3 +76,21 @@ fn generic_point(dimension: usize) -> Vec<f64> {
     let next = |x: &f64| Some(1.0 - 2.0 * x * x);
     core::iter::successors(Some(0.3), next).take(dimension).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::generic_point;
+    use nalgebra::DMatrix;
+
+    /// Square matrices of the coordinates are far from singular; that of sines of i² with 11 rows is not.
+    #[test]
+    fn matrices_of_generic_coordinates_have_full_rank() {
+        let condition = |of: &dyn Fn(usize) -> Vec<f64>, n: usize| {
+            let values = DMatrix::from_vec(n, n, of(n * n)).singular_values();
+            values.min() / values.max()
+        };
+        let sines = |count: usize| (1..=count).map(|i| ((i * i) as f64).sin()).collect();
+        assert!((2..17).all(|n| condition(&generic_point, n) > 1e-3));
+        assert!(condition(&sines, 11) < 1e-4);
+    }
+}
