@@ -61,6 +61,7 @@
 
 mod error;
 mod realisations;
+mod casimirs;
 mod algebras;
 mod systems;
 mod catalogue;

@@ -4,6 +4,7 @@ use super::bracket_texts::entries;
 use super::expressions::parser::parse;
 use super::expressions::part::Part;
 use super::family::{Family, MOST_DIMENSIONS};
+use crate::casimirs::matrix_algebra::MatrixAlgebra;
 use crate::error::FormulaSystemError;
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use crate::realisations::verdict::Verdict;
@@ -57,6 +58,8 @@ pub struct SystemAlgebra {
     realisation: Option<(Arc<QuadraticMomenta>, Verdict)>,
     /// Whether two copies of the adjoint representation reach an open part of 𝔤∗; they see no centre.
     has_adjoint_map: bool,
+    /// The direct summands that are algebras of matrices, which have Casimirs by these.
+    pub(crate) summands: Vec<MatrixAlgebra>,
 }
 
 impl SystemAlgebra {
@@ -112,7 +115,7 @@ impl SystemAlgebra {
             let base = SemidirectAlgebra(Inherited { quotient: SO3OnR3, representation: SO3OnR3 });
             return of_library(name, &base);
         }
-        let Part { coordinates, constants, family, acts } = parse(text)?;
+        let Part { coordinates, constants, family, acts, summands } = parse(text)?;
         let table = table_of_entries(coordinates.dimension(), &constants);
         let table = table.map_err(FormulaSystemError::Structure)?;
         let algebra = Self::of_table(name, coordinates, table, family);
@@ -122,7 +125,7 @@ impl SystemAlgebra {
             .filter(|_| family == Family::Other && OWN_MATRICES.contains(&algebra.dimension()));
         let momenta = matrices.and_then(|matrices| QuadraticMomenta::reaching(&matrices));
         let realisation = momenta.map(|(momenta, verdict)| (Arc::new(momenta), verdict));
-        Ok(Self { realisation, ..algebra })
+        Ok(Self { realisation, summands, ..algebra })
     }
 
     /// Creates the algebra from brackets [x, y] = Σ c z, which are written with the names of coordinates, such as
@@ -194,7 +197,8 @@ impl SystemAlgebra {
         let is_large = ADJOINT_MAPS.contains(&table.dimension()) && family == Family::Other;
         let momenta = is_large.then(|| QuadraticMomenta::clebsch(&table).ok()).flatten();
         let has_adjoint_map = momenta.is_some_and(|momenta| momenta.rank() == table.dimension());
-        Self { name, coordinates, entries, table, family, realisation: None, has_adjoint_map }
+        let (realisation, summands) = (None, Vec::new());
+        Self { name, coordinates, entries, table, family, realisation, has_adjoint_map, summands }
     }
 
     /// Returns the algebra with other symbols for its coordinates, in the order in which their own symbols come: `S` for

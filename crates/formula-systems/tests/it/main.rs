@@ -6,6 +6,7 @@ mod algebras_of_systems;
 mod laws_of_systems;
 mod methods_by_name;
 mod realisations;
+mod matrix_casimirs;
 mod schemes;
 mod sections_of_systems;
 mod support;

@@ -4,6 +4,7 @@ pub(crate) mod casimir_error;
 pub(crate) mod structure_entries;
 pub(crate) mod bracket_table;
 pub(crate) mod summands;
+pub(crate) mod bounds;
 pub(crate) mod monomials;
 pub(crate) mod surd;
 pub(crate) mod exact;

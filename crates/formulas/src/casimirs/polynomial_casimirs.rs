@@ -1,5 +1,6 @@
 //! The polynomial Casimirs of an algebra: [`find_casimirs`].
 
+use super::bounds::{HIGHEST_DEGREE, most_monomials};
 use super::casimir_error::CasimirError;
 use super::exact::recognition::recognised;
 use super::monomials::count;
@@ -13,12 +14,6 @@ use crate::names::coordinates::Coordinates;
 use crate::names::parameters::Parameters;
 use crate::names::vocabulary::Vocabulary;
 use lie_poisson::{LieAlgebra, StructureEntry, StructureTable, Vector};
-
-/// The largest degree of the Casimirs that are searched for.
-const HIGHEST_DEGREE: u8 = 4;
-
-/// The largest number of monomials of a degree for which the degree is searched.
-const MOST_MONOMIALS: usize = 4096;
 
 /// The largest bracket of a Casimir with a coordinate, relative to its terms, that counts as rounding.
 const ROUNDING: f64 = 1e-9;
@@ -65,9 +60,9 @@ impl PolynomialCasimirs {
         self.independent.saturating_sub(self.formulas.len())
     }
 
-    /// Returns the highest degree that was searched in a summand. It is 4, or less if all Casimirs were found before, if there are
-    /// more than 4096 monomials of the next degree (1024 if the structure constants are rounded numbers), or if the next
-    /// degree needs too many operations.
+    /// Returns the highest degree that was searched in a summand. It is 8, or less if all Casimirs were found before, if there are
+    /// more than 4096 monomials of the next degree, 6435 above degree 4 (1024 if the structure constants are rounded
+    /// numbers), or if the next degree needs too many operations.
     #[must_use]
     pub const fn degree(&self) -> u8 {
         self.degree
@@ -82,7 +77,7 @@ impl PolynomialCasimirs {
     }
 }
 
-/// Finds the polynomial Casimirs up to degree 4 of an algebra, from its brackets alone.
+/// Finds the polynomial Casimirs of an algebra up to degree 4, and in few dimensions up to degree 8, from its brackets alone.
 ///
 /// The Casimirs of a direct sum of ideals that basis vectors span are those of the ideals, which are searched one by one. The
 /// number of independent Casimirs is dim 𝔤 − r, where r is the rank of the Poisson tensor Λ_ij(μ) = Σ_k c_ijk μ_k
@@ -121,7 +116,7 @@ pub fn find_casimirs<A: LieAlgebra>(
     search_of((A::Element::<f64>::DIM, &constants(algebra)?), coordinates)
 }
 
-/// Finds the polynomial Casimirs up to degree 4 of an algebra whose dimension is known only when the program runs, as
+/// Finds the polynomial Casimirs of an algebra whose dimension is known only when the program runs, as
 /// [`find_casimirs`] does.
 ///
 /// # Errors
@@ -230,7 +225,7 @@ impl Search<'_> {
         let mut directions: Vec<Vec<f64>> = Vec::new();
         let mut refused = 0;
         for degree in 1..=HIGHEST_DEGREE {
-            if formulas.len() >= independent || count(dimension, degree) > MOST_MONOMIALS {
+            if formulas.len() >= independent || count(dimension, degree) > most_monomials(degree) {
                 break;
             }
             let Some(mut found) = invariants(degree) else { break };

@@ -17,7 +17,7 @@ impl Formula {
     ///
     /// `failure` returns that number for a formula that fails, and `None` for every other. From the whole the search goes
     /// to a part only if that part fails and matters: of an `if`, that is the chosen formula, or the condition if it is not
-    /// a number.
+    /// a number. A formula with a short text is not taken apart, since its parts are too many to be shown.
     pub(super) fn failing_part(
         &self,
         z: &[f64],
@@ -26,6 +26,9 @@ impl Formula {
         let syntax = self.syntax();
         let last = syntax.parts().count().checked_sub(1)?;
         let (formula, value) = (self.clone(), failure(self)?);
+        if self.short().is_some() {
+            return Some((formula, value));
+        }
         let mut found = Failing { place: last, component: None, formula, value };
         while let Some(inner) = self.failing_within(&found, z, &failure) {
             found = inner;

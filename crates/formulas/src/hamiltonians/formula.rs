@@ -48,8 +48,11 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub struct Formula(Arc<Compiled>);
 
+#[derive(Clone)]
 struct Compiled {
     syntax: Syntax,
+    /// The text that is printed instead of the formula.
+    short: Option<String>,
     names: Vocabulary,
     dimension: usize,
     period: Option<f64>,
@@ -122,6 +125,7 @@ impl Formula {
             period,
             has_constant_gradient,
             syntax,
+            short: None,
         })))
     }
 
@@ -148,6 +152,36 @@ impl Formula {
             syntax.add(Part::Negate(last), 0..0);
         }
         self.with_syntax(syntax)
+    }
+
+    /// Returns the formula with a short text that is printed instead of it, such as `tr X^5` for a polynomial of thousands
+    /// of terms that a program has built. Errors that name a failing part name the whole formula by this text.
+    ///
+    /// The text says to a reader what the formula is. It need not be a formula, and is not read back.
+    ///
+    /// ```
+    /// use lie_poisson::So3;
+    /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+    /// let names = Vocabulary::of(&So3, &Parameters::new())?;
+    /// let square = Formula::new("-2*(Pi1^2 + Pi2^2 + Pi3^2)", &names)?.printed_as("tr X^2");
+    /// assert_eq!(square.to_string(), "tr X^2");
+    /// assert_eq!(square.value_at(&[1.0, 2.0, 2.0]), -18.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn printed_as(self, text: &str) -> Self {
+        let compiled = Arc::unwrap_or_clone(self.0);
+        Self(Arc::new(Compiled { short: Some(text.into()), ..compiled }))
+    }
+
+    /// Returns the short text that is printed instead of the formula, if it has one.
+    pub(super) fn short(&self) -> Option<&str> {
+        self.0.short.as_deref()
+    }
+
+    /// Returns the printed text.
+    fn printed(&self) -> String {
+        self.short().map_or_else(|| print(&self.0.syntax), str::to_owned)
     }
 
     /// Returns the formula of the same text in other names.
@@ -372,15 +406,16 @@ impl PartialEq for Formula {
 /// Prints the formula with plain names and no superfluous parentheses. If the formula was created from a text, the
 /// printed text parses to an equal formula.
 ///
-/// A part of [`Expressions`] that is used several times is printed once, before the formula: `s1 = …; s1*exp(s1)`.
+/// A part of [`Expressions`] that is used several times is printed once, before the formula: `s1 = …; s1*exp(s1)`. A
+/// formula that has [a short text](Self::printed_as) prints this.
 impl fmt::Display for Formula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&print(&self.0.syntax))
+        f.write_str(&self.printed())
     }
 }
 
 impl fmt::Debug for Formula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("Formula").field(&print(&self.0.syntax)).finish()
+        f.debug_tuple("Formula").field(&self.printed()).finish()
     }
 }

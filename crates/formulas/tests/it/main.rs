@@ -3,6 +3,7 @@
 
 mod named_algebras;
 mod casimirs_found;
+mod casimirs_of_high_degree;
 mod calculus;
 mod errors;
 mod expressions;

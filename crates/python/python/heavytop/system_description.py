@@ -99,7 +99,7 @@ class SystemDescription:
 
     @property
     def missing_casimirs(self) -> int:
-        """How many independent Casimirs were not found, since they are no polynomials up to degree 4."""
+        """How many independent Casimirs were not found, since they are no polynomials of low degree."""
         return self._system.missing_casimirs
 
     @property

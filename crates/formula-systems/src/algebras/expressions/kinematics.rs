@@ -26,7 +26,8 @@ impl Brackets {
     }
 
     fn part(self, coordinates: Coordinates) -> Part {
-        Part { coordinates, constants: self.0, acts: None, family: Family::Other }
+        let (acts, family, summands) = (None, Family::Other, Vec::new());
+        Part { coordinates, constants: self.0, acts, family, summands }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::part::{Part, Representation, Space};
 use crate::algebras::family::Family;
+use crate::casimirs::matrix_algebra::{MatrixAlgebra, Structure};
 use lie_poisson_formulas::{Coordinates, NameError, StructureEntry};
 use nalgebra::DMatrix;
 
@@ -55,8 +56,14 @@ impl Basis {
                 constants.extend(nonzero.map(|(k, value)| StructureEntry { i, j, k, value }));
             }
         }
+        let structure = match space {
+            Space::Real(_) => Structure::Real,
+            Space::Complex(_) => Structure::Complex,
+        };
+        let summands = vec![MatrixAlgebra::new(&self.matrices, structure)];
         let acts = Some(Representation { matrices: self.matrices, space });
-        Ok(Part { coordinates: coordinates?, constants, acts, family: Family::Other })
+        let family = Family::Other;
+        Ok(Part { coordinates: coordinates?, constants, acts, family, summands })
     }
 }
 
@@ -84,7 +91,10 @@ pub(super) fn orthogonal(p: usize, q: usize) -> Result<Part, NameError> {
     for (i, j) in pairs(n) {
         basis.add(&[(j, i, sign(i)), (i, j, -sign(j))], &[(j, i, sign(i))]);
     }
-    basis.part(scalars(&indexed("L", pairs(n), n)), Space::Real(n))
+    let form = Structure::Form((0..n).map(sign).collect());
+    let summands = vec![MatrixAlgebra::new(&basis.matrices, form)];
+    let part = basis.part(scalars(&indexed("L", pairs(n), n)), Space::Real(n))?;
+    Ok(Part { summands, ..part })
 }
 
 /// Returns gl(n, R), with the coordinates M_ij of the matrices E_ij.
@@ -154,7 +164,9 @@ pub(super) fn symplectic(n: usize) -> Result<Part, NameError> {
     let mut names = indexed("Q", upper(), n);
     names.extend(indexed("R", all(), n));
     names.extend(indexed("P", upper(), n));
-    basis.part(scalars(&names), Space::Real(2 * n))
+    let summands = vec![MatrixAlgebra::new(&basis.matrices, Structure::Symplectic)];
+    let part = basis.part(scalars(&names), Space::Real(2 * n))?;
+    Ok(Part { summands, ..part })
 }
 
 /// Returns su(n) with the coordinates of −(i/2) λ_a, where λ_a are Gell-Mann's matrices, tr(λ_a λ_b) = 2 δ_ab, in their usual

@@ -1,6 +1,7 @@
 //! A Lie algebra with names, of which expressions are made: [`Part`].
 
 use crate::algebras::family::Family;
+use crate::casimirs::matrix_algebra::MatrixAlgebra;
 use crate::error::FormulaSystemError;
 use lie_poisson_formulas::{Coordinates, StructureEntry};
 use nalgebra::DMatrix;
@@ -14,6 +15,8 @@ pub(in crate::algebras) struct Part {
     /// The representation that a semidirect product with Rⁿ or Cⁿ takes.
     pub(in crate::algebras) acts: Option<Representation>,
     pub(in crate::algebras) family: Family,
+    /// The direct summands that are algebras of matrices.
+    pub(in crate::algebras) summands: Vec<MatrixAlgebra>,
 }
 
 /// Real matrices, one for each basis vector, on Rⁿ or on Cⁿ as R²ⁿ.
@@ -65,7 +68,9 @@ impl Part {
         let coordinates = self.coordinates.then(&other.coordinates)?;
         let constants = self.constants.iter().copied().chain(moved(&other.constants, first));
         let family = self.family.with(other.family);
-        Ok(Self { coordinates, constants: constants.collect(), acts: None, family })
+        let others = other.summands.iter().map(|summand| summand.after(first));
+        let summands = self.summands.iter().cloned().chain(others).collect();
+        Ok(Self { coordinates, constants: constants.collect(), acts: None, family, summands })
     }
 
     /// Returns the direct sum of so many copies.
@@ -77,7 +82,11 @@ impl Part {
         let coordinates = self.coordinates.repeated(count)?;
         let copies = (0..count).flat_map(|copy| moved(&self.constants, copy * dimension));
         let family = self.family.with(self.family);
-        Ok(Self { constants: copies.collect(), coordinates, acts: None, family })
+        let firsts = (0..count).map(|copy| copy * dimension);
+        let summands =
+            firsts.flat_map(|first| self.summands.iter().map(move |summand| summand.after(first)));
+        let summands = summands.collect();
+        Ok(Self { constants: copies.collect(), coordinates, acts: None, family, summands })
     }
 
     /// Returns the semidirect product with `copies` of the space on which the algebra acts, or `None` if it acts on none.
@@ -112,6 +121,7 @@ impl Part {
             constants,
             acts: Some(acts),
             family: Family::Other,
+            summands: Vec::new(),
         }))
     }
 }

@@ -3,6 +3,7 @@
 use super::null_space::{null_space, rank};
 use super::residue::Residue;
 use super::roots::surd_of;
+use crate::casimirs::bounds::most_changes;
 use crate::casimirs::bracket_table::BracketTable;
 use crate::casimirs::monomials::{equations, monomials};
 use crate::casimirs::polynomial::Polynomial;
@@ -35,7 +36,8 @@ impl BracketTable<Residue> {
     /// and the number of the others, or `None` if the search takes too long.
     pub(crate) fn invariants(&self, degree: u8) -> Option<(Vec<Polynomial>, usize)> {
         let monomials = monomials(self.dimension(), degree);
-        let space = null_space(equations(self, self.generators(), &monomials), monomials.len())?;
+        let equations = equations(self, self.generators(), &monomials);
+        let space = null_space(equations, monomials.len(), most_changes(degree))?;
         let dimension = space.len();
         let polynomial = |vector: Vec<(usize, Residue)>| {
             let terms = vector.into_iter().map(|(column, entry)| {

@@ -6,9 +6,6 @@ use std::collections::BTreeMap;
 /// A row, or a vector: columns with their entries, from left to right.
 pub(crate) type Row = Vec<(usize, Residue)>;
 
-/// The largest number of changes of entries in an elimination; this many take a few seconds.
-const MOST_CHANGES: usize = 20_000_000;
-
 /// Returns the rows of an echelon form, by the column of their first entry, which is 1; `None` after too many
 /// changes.
 fn echelon(rows: Vec<Row>, most_changes: usize) -> Option<BTreeMap<usize, Row>> {
@@ -50,9 +47,9 @@ pub(crate) fn rank(rows: Vec<Row>) -> usize {
 }
 
 /// Returns a basis of the vectors on which all rows vanish. Each basis vector has an entry 1 where the others are 0.
-/// Returns `None` if the elimination takes too long.
-pub(crate) fn null_space(rows: Vec<Row>, columns: usize) -> Option<Vec<Row>> {
-    let pivots = echelon(rows, MOST_CHANGES)?;
+/// Returns `None` if the elimination needs more changes of entries.
+pub(crate) fn null_space(rows: Vec<Row>, columns: usize, most_changes: usize) -> Option<Vec<Row>> {
+    let pivots = echelon(rows, most_changes)?;
     let free = (0..columns).filter(|column| !pivots.contains_key(column));
     let basis = free.map(|column| {
         let mut vector = BTreeMap::from([(column, Residue::ONE)]);
@@ -83,7 +80,7 @@ mod tests {
     fn null_vectors_are_orthogonal_to_all_rows() {
         let rows = matrix(&[&[1, 2, 3, 4], &[2, 4, 6, 9], &[3, 6, 9, 13]]);
         assert_eq!(rank(rows.clone()), 2);
-        let basis = null_space(rows.clone(), 4).unwrap_or_default();
+        let basis = null_space(rows.clone(), 4, 100).unwrap_or_default();
         assert_eq!(basis.len(), 2);
         for vector in &basis {
             for row in &rows {

@@ -199,7 +199,9 @@ body in two fields; so(n), so(p,q) L12, L13, ...; sl(n,R), gl(n) M11, ...; sp(2n
 ...; heisenberg(n) q, p, z; galilei, bargmann, poincare(1,n) J, K, P, H; R3 p. Sums a + b, powers
 a^4, and semidirect products a |x R3 or a ⋉ (R3 + R3) with vectors Gamma.
 The columns are t, the coordinates, h and the Casimirs c1, c2, ..., which are found: polynomials
-up to degree 4, named in the summary and in the metadata. Formulas have + - * / ^, · and × between
+of low degree, named in the summary and in the metadata. Those of so(n), so(p,q), su(n), sl(n,R),
+gl(n) and sp(2n,R) of higher degree are tr X^k, tr J X^k (J: the product with i) and Pf X of the
+matrix X with tr(X ξ) = <μ, ξ>. Formulas have + - * / ^, · and × between
 vectors, |v|, sqrt, cbrt, exp, ln, log10, sin, cos, tan, arcsin, arccos, arctan, sinh, cosh, tanh,
 atan2, hypot, if(x >= 1, y, z), sum(S[i]·S[i+1]), sum(S[i]·S[j], i < j), pi, and Greek letters by
 name (Gamma1) or as they are (Γ₁); there is no product without *. A coordinate must not have the
