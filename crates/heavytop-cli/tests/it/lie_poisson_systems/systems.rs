@@ -73,7 +73,10 @@ fn a_system_by_name_is_that_of_its_formulas() {
     // What is wrong is named.
     folder.write("few.toml", "[system]\nkind = 'body-with-rotors'\nparameters.I = [1, 2, 3]\n");
     let said = refused(&folder.heavytop(&["simulate", "few.toml", "--out", "few.csv"]));
-    assert!(said.contains("body-with-rotors: J is missing. It takes") && said.contains("kg m²"), "{said}");
+    assert!(
+        said.contains("body-with-rotors: J is missing. It takes") && said.contains("kg m²"),
+        "{said}"
+    );
     folder.write("other.toml", "[system]\nkind = 'body-with-rotor'\n");
     let said = refused(&folder.heavytop(&["simulate", "other.toml", "--out", "few.csv"]));
     assert!(said.contains("there is no system body-with-rotor; there are body-in-fluid"), "{said}");
