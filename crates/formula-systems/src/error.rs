@@ -35,6 +35,14 @@ pub enum FormulaSystemError {
         /// The symbols of the algebra.
         own: Vec<String>,
     },
+    /// Matrices that are given by a name in the text of an algebra are no representation of the algebra before it.
+    #[error("{name} is no representation: {problem}")]
+    Representation {
+        /// The name of the matrices.
+        name: String,
+        /// What is wrong.
+        problem: String,
+    },
     /// Matrices make no realisation of an algebra.
     #[error("realisation: {problem}")]
     Realisation {

@@ -73,7 +73,7 @@ pub use algebras::system_algebra::SystemAlgebra;
 pub use catalogue::parameter::{Parameter, ParameterShape, require_parameters};
 pub use catalogue::system_kind::{KindStart, SystemKind};
 pub use error::FormulaSystemError;
-pub use realisations::quadratic_momenta::QuadraticMomenta;
+pub use realisations::quadratic_momenta::{QuadraticMomenta, matrices_of_rows};
 pub use realisations::verdict::Verdict;
 pub use sections::system_section::SystemSection;
 pub use systems::formula_system::FormulaSystem;

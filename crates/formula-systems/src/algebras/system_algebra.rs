@@ -15,6 +15,8 @@ use lie_poisson_formulas::{
     Coordinates, EntryError, NameError, NamedAlgebra, Parameters, StructureEntry, Vocabulary,
     table_of_entries,
 };
+use nalgebra::DMatrix;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The dimensions of the Clebsch maps. A smaller algebra is completed by central coordinates, which stay zero.
@@ -86,6 +88,7 @@ impl SystemAlgebra {
     /// | `a^4` | a + a + a + a | those of a with `_1` to `_4` |
     /// | `a ⋉ R3`, <code>a &#124;x R3</code> | semidirect product with the space on which a acts | those of a; `Gamma`, or `alpha` for C2 |
     /// | `a ⋉ (R3 + R3)`, `a ⋉ R3^2` | the same with several vectors | those of a; `Gamma_1`, `Gamma_2` |
+    /// | `a ⋉ V` | the same with a representation of your own: [`named_with`](Self::named_with) | those of a; `V` |
     ///
     /// The text `se(3)+R3`, without spaces or with some, is the algebra se(3) ⋉ R³ of a top on a movable base, with `Pi`,
     /// `P` and `Gamma`. Spaces do not matter otherwise either.
@@ -110,12 +113,39 @@ impl SystemAlgebra {
     /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
     /// ```
     pub fn named(text: &str) -> Result<Self, FormulaSystemError> {
+        Self::named_with(text, &BTreeMap::new())
+    }
+
+    /// Returns the algebra of an expression in which a semidirect product may be one with a representation of your own: `so(3)
+    /// ⋉ V`, or `so(3) ⋉ (V^2 + W)`, where V and W are names with a matrix ρ_a for each coordinate of the algebra before, and
+    /// [(ξ, v), (η, w)] = ([ξ, η], ρ(ξ)w − ρ(η)v). The coordinates are those of vectors of this name.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Representation`] for matrices that are no representation, and the errors of
+    /// [`named`](Self::named).
+    ///
+    /// # Example
+    /// The symmetric tensors of the plane, which turn by twice the angle:
+    /// ```
+    /// use lie_poisson_formula_systems::SystemAlgebra;
+    /// use nalgebra::DMatrix;
+    /// let tensors = vec![DMatrix::from_row_slice(2, 2, &[0.0, -2.0, 2.0, 0.0])];
+    /// let algebra = SystemAlgebra::named_with("so(2) ⋉ Q", &[("Q".into(), tensors)].into())?;
+    /// assert_eq!(algebra.coordinates().names().collect::<Vec<_>>(), ["Pi", "Q1", "Q2"]);
+    /// let wrong = vec![DMatrix::identity(2, 2); 2];
+    /// assert!(SystemAlgebra::named_with("so(2) ⋉ Q", &[("Q".into(), wrong)].into()).is_err());
+    /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
+    /// ```
+    pub fn named_with(
+        text: &str,
+        representations: &BTreeMap<String, Vec<DMatrix<f64>>>,
+    ) -> Result<Self, FormulaSystemError> {
         let name: String = text.trim().into();
         if name.split_whitespace().collect::<String>() == "se(3)+R3" {
             let base = SemidirectAlgebra(Inherited { quotient: SO3OnR3, representation: SO3OnR3 });
             return of_library(name, &base);
         }
-        let Part { coordinates, constants, family, acts, summands } = parse(text)?;
+        let Part { coordinates, constants, family, acts, summands } = parse(text, representations)?;
         let table = table_of_entries(coordinates.dimension(), &constants);
         let table = table.map_err(FormulaSystemError::Structure)?;
         let algebra = Self::of_table(name, coordinates, table, family);

@@ -49,6 +49,23 @@ pub struct QuadraticMomenta {
     entries: Vec<(usize, usize, usize, f64)>,
 }
 
+/// Returns matrices by their rows.
+///
+/// # Errors
+/// Returns [`FormulaSystemError::Realisation`] if rows of a matrix have different lengths.
+pub fn matrices_of_rows(
+    matrices: &[Vec<Vec<f64>>],
+) -> Result<Vec<DMatrix<f64>>, FormulaSystemError> {
+    let matrix = |(a, rows): (usize, &Vec<Vec<f64>>)| {
+        let columns = rows.first().map_or(0, Vec::len);
+        if rows.iter().any(|row| row.len() != columns) {
+            return Err(wrong(format!("the rows of matrix {a} have different lengths")));
+        }
+        Ok(DMatrix::from_row_iterator(rows.len(), columns, rows.iter().flatten().copied()))
+    };
+    (1..).zip(matrices).map(matrix).collect()
+}
+
 impl QuadraticMomenta {
     /// Creates the momenta J_a = ½ z·S_a z of symmetric matrices of 2m rows.
     ///
@@ -109,14 +126,7 @@ impl QuadraticMomenta {
         matrices: &[Vec<Vec<f64>>],
         is_representation: bool,
     ) -> Result<Self, FormulaSystemError> {
-        let matrix = |(a, rows): (usize, &Vec<Vec<f64>>)| {
-            let columns = rows.first().map_or(0, Vec::len);
-            if rows.iter().any(|row| row.len() != columns) {
-                return Err(wrong(format!("the rows of matrix {a} have different lengths")));
-            }
-            Ok(DMatrix::from_row_iterator(rows.len(), columns, rows.iter().flatten().copied()))
-        };
-        let matrices: Vec<_> = (1..).zip(matrices).map(matrix).collect::<Result<_, _>>()?;
+        let matrices = matrices_of_rows(matrices)?;
         match is_representation {
             true => Self::of_representation(&matrices),
             false => Self::new(matrices),

@@ -9,19 +9,23 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .arguments import array, real
+from .realisation import real_matrices
 
 Brackets = Mapping[Union[str, tuple[str, str]], str]
 
 Names = Union[str, list[str]]
 
+Matrices = list[list[list[float]]]
+
 AlgebraSource = Union[
     str,
     tuple[str],
     tuple[str, list[str]],
+    tuple[str, list[str], list[tuple[str, Matrices]]],
     tuple[list[str], list[tuple[str, str]]],
     tuple[Names, list[tuple[int, int, int, float]], int],
 ]
-"""An expression; or the name of a system, alone in a tuple; or an expression with symbols for its coordinates; or the names of coordinates with their brackets; or names, structure constants and the dimension."""
+"""An expression; or the name of a system, alone in a tuple; or an expression with symbols for its coordinates, and the matrices of representations; or the names of coordinates with their brackets; or names, structure constants and the dimension."""
 
 
 class Algebra(NamedTuple):
@@ -31,6 +35,7 @@ class Algebra(NamedTuple):
     coordinates: Union[None, str, Sequence[str]]
     brackets: Optional[Brackets]
     structure_constants: Optional[ArrayLike]
+    representations: Optional[Mapping[str, ArrayLike]]
 
 
 def algebra_source(algebra: Algebra) -> AlgebraSource:
@@ -41,10 +46,14 @@ def algebra_source(algebra: Algebra) -> AlgebraSource:
     if algebra.name is not None:
         if not isinstance(algebra.name, str):
             raise ValueError(f"algebra must be a name such as 'se(3)', got {algebra.name!r}")
-        if algebra.coordinates is not None:
-            symbols = [algebra.coordinates] if isinstance(algebra.coordinates, str) else algebra.coordinates
-            return algebra.name, [str(symbol) for symbol in symbols]
-        return algebra.name
+        own = algebra.coordinates
+        symbols = [str(symbol) for symbol in ([own] if isinstance(own, str) else own or [])]
+        if algebra.representations:
+            given = [(str(name), real_matrices(f"representations[{name!r}]", rho)) for name, rho in algebra.representations.items()]
+            return algebra.name, symbols, given
+        return (algebra.name, symbols) if own is not None else algebra.name
+    if algebra.representations is not None:
+        raise ValueError("representations are those that the text of an algebra names")
     if algebra.structure_constants is not None:
         return of_constants(algebra.structure_constants, algebra.coordinates)
     if algebra.coordinates is None or isinstance(algebra.coordinates, str):

@@ -30,16 +30,21 @@ def realisation(representation: Optional[ArrayLike], momenta: Optional[ArrayLike
     name, values = ("representation", representation) if representation is not None else ("momenta", momenta)
     if values is None:
         return None
+    if name == "momenta" and np.iscomplexobj(np.asarray(values)):
+        raise ValueError("momenta must be real")
+    return real_matrices(name, values), name == "representation"
+
+
+def real_matrices(name: str, values: ArrayLike) -> list[list[list[float]]]:
+    """Returns matrices by rows. A complex number x + iy is the block [[x, -y], [y, x]]."""
     matrices = np.asarray(values)
     if matrices.ndim != 3 or matrices.shape[1] != matrices.shape[2]:
         raise ValueError(f"{name} must have the shape (d, n, n), got {matrices.shape}")
     if not np.issubdtype(matrices.dtype, np.number):
         raise TypeError(f"{name} must be numbers, got {matrices.dtype}")
     if np.iscomplexobj(matrices):
-        if name == "momenta":
-            raise ValueError("momenta must be real")
-        # The complex number x + iy is the block [[x, -y], [y, x]].
         blocks = np.array([[matrices.real, -matrices.imag], [matrices.imag, matrices.real]])
         size = 2 * matrices.shape[1]
         matrices = blocks.transpose(2, 3, 0, 4, 1).reshape(len(matrices), size, size)
-    return matrices.astype(float).tolist(), name == "representation"
+    result: list[list[list[float]]] = matrices.astype(float).tolist()
+    return result

@@ -38,9 +38,10 @@ class SystemDescription:
         bracket: Optional[str] = None,
         representation: Optional[ArrayLike] = None,
         momenta: Optional[ArrayLike] = None,
+        representations: Optional[Mapping[str, ArrayLike]] = None,
     ) -> None:
         self._numbers, self._parameters = native_parameters(parameters or {})
-        given = Algebra(algebra, coordinates, brackets, structure_constants)
+        given = Algebra(algebra, coordinates, brackets, structure_constants, representations)
         self._kind = None if kind is None else str(kind)
         if self._kind is not None:
             others = (hamiltonian, bracket, representation, momenta, *given)

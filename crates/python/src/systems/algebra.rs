@@ -2,7 +2,9 @@
 
 use crate::errors::refused;
 use core::ops::Range;
-use lie_poisson_formula_systems::{QuadraticMomenta, SystemAlgebra, SystemKind};
+use lie_poisson_formula_systems::{
+    FormulaSystemError, QuadraticMomenta, SystemAlgebra, SystemKind, matrices_of_rows,
+};
 use lie_poisson_formulas::{Coordinates, NameError, Parameters, StructureEntry};
 use pyo3::{FromPyObject, IntoPyObject, PyResult, pyfunction};
 
@@ -18,6 +20,8 @@ pub(crate) enum AlgebraSource {
     Named(String),
     /// An expression, and other symbols for its coordinates.
     Renamed(String, Vec<String>),
+    /// An expression, symbols for its coordinates if there are any, and the representations that it names, by their rows.
+    Represented(String, Vec<String>, Vec<(String, Matrices)>),
     /// The names of the coordinates, and the brackets of pairs of them that are not zero.
     Brackets(Vec<String>, Vec<(String, String)>),
     /// The names of the coordinates, or of one vector of them with its dimension, and the structure constants
@@ -48,6 +52,17 @@ impl AlgebraSource {
                 let symbols: Vec<&str> = symbols.iter().map(String::as_str).collect();
                 SystemAlgebra::named(name).and_then(|algebra| algebra.with_symbols(&symbols))
             }
+            Self::Represented(name, symbols, representations) => {
+                let given = representations.iter();
+                let given = given.map(|(name, rows)| Ok((name.clone(), matrices_of_rows(rows)?)));
+                let given: Result<_, FormulaSystemError> = given.collect();
+                let symbols: Vec<&str> = symbols.iter().map(String::as_str).collect();
+                let named = given.and_then(|given| SystemAlgebra::named_with(name, &given));
+                named.and_then(|named| match symbols.is_empty() {
+                    true => Ok(named),
+                    false => named.with_symbols(&symbols),
+                })
+            }
             Self::Brackets(names, brackets) => {
                 let coordinates = scalars(names).map_err(refused)?;
                 let brackets = brackets.iter().map(|(pair, text)| (pair.as_str(), text.as_str()));
@@ -69,7 +84,10 @@ impl AlgebraSource {
 
 /// The matrices of a realisation by rows, and whether they are those of a representation. If not, they are those of quadratic
 /// momenta.
-pub(crate) type Realisation = (Vec<Vec<Vec<f64>>>, bool);
+pub(crate) type Realisation = (Matrices, bool);
+
+/// Matrices by rows.
+pub(crate) type Matrices = Vec<Vec<Vec<f64>>>;
 
 /// Returns an algebra with momenta of its own.
 pub(crate) fn realised(

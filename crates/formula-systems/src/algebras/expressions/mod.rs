@@ -2,6 +2,7 @@
 //! of them.
 
 pub(crate) mod part;
+mod given_representation;
 pub(crate) mod matrices;
 pub(crate) mod kinematics;
 pub(crate) mod atoms;

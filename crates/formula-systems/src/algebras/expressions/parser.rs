@@ -5,6 +5,8 @@ use super::part::{Part, Space};
 use super::tokens::{Token, tokens, wrong};
 use crate::algebras::family::MOST_DIMENSIONS;
 use crate::error::FormulaSystemError;
+use nalgebra::DMatrix;
+use std::collections::BTreeMap;
 
 /// Returns the algebra of a text:
 ///
@@ -15,11 +17,16 @@ use crate::error::FormulaSystemError;
 /// vectors    =  space | "(" space { "+" space } ")"        each with [ "^" number ]
 /// ```
 ///
+/// A space is one such as R3 or C2, or the name of a representation that is given by its matrices.
+///
 /// # Errors
 /// [`FormulaSystemError::AlgebraText`] with the column where the text is no algebra, and
 /// [`FormulaSystemError::NoAlgebra`] for a name that there is not.
-pub(in crate::algebras) fn parse(text: &str) -> Result<Part, FormulaSystemError> {
-    let mut parser = Parser { text, tokens: tokens(text)?, next: 0, level: 0 };
+pub(in crate::algebras) fn parse(
+    text: &str,
+    given: &BTreeMap<String, Vec<DMatrix<f64>>>,
+) -> Result<Part, FormulaSystemError> {
+    let mut parser = Parser { text, tokens: tokens(text)?, next: 0, level: 0, given };
     let part = parser.sum()?;
     match parser.peek() {
         None => Ok(part),
@@ -33,12 +40,17 @@ struct Parser<'a> {
     next: usize,
     /// The number of parentheses around the next token.
     level: usize,
+    /// The matrices of representations by name.
+    given: &'a BTreeMap<String, Vec<DMatrix<f64>>>,
 }
+
+/// The name and the matrices of a representation, and the number of copies.
+type GivenVectors<'a> = (&'a str, &'a [DMatrix<f64>], usize);
 
 /// The largest number of parentheses inside each other.
 const MOST_LEVELS: usize = 64;
 
-impl Parser<'_> {
+impl<'a> Parser<'a> {
     fn peek(&self) -> Option<&Token> {
         self.tokens.get(self.next).map(|(_, token)| token)
     }
@@ -72,6 +84,15 @@ impl Parser<'_> {
     fn product(&mut self) -> Result<Part, FormulaSystemError> {
         let mut part = self.power()?;
         while self.take(&Token::Semidirect) {
+            if let Some(given) = self.given_vectors()? {
+                let vectors = |(_, matrices, copies): &(_, &[DMatrix<f64>], usize)| {
+                    copies.saturating_mul(matrices.first().map_or(0, DMatrix::nrows))
+                };
+                let vectors = given.iter().map(vectors).fold(0, usize::saturating_add);
+                require_dimension(part.coordinates.dimension().saturating_add(vectors))?;
+                part = part.acting_by(&given)?;
+                continue;
+            }
             let column = self.column();
             let (space, copies) = self.vectors()?;
             let vectors = copies.saturating_mul(space.dimension());
@@ -145,9 +166,36 @@ impl Parser<'_> {
         })
     }
 
+    /// Returns the representations of one's own after `⋉`, each with the number of its copies; `None` if the space there is
+    /// another one.
+    fn given_vectors(&mut self) -> Result<Option<Vec<GivenVectors<'a>>>, FormulaSystemError> {
+        let (start, given) = (self.next, self.given);
+        let is_many = self.take(&Token::Open);
+        let mut all = Vec::new();
+        loop {
+            let found = self.peek().and_then(word).and_then(|name| given.get_key_value(name));
+            let Some((name, matrices)) = found else {
+                if all.is_empty() {
+                    self.next = start;
+                    return Ok(None);
+                }
+                return Err(self.expected("a representation that is given"));
+            };
+            self.next += 1;
+            all.push((name.as_str(), matrices.as_slice(), self.exponent()?));
+            if !is_many || !self.take(&Token::Plus) {
+                break;
+            }
+        }
+        if is_many {
+            self.close()?;
+        }
+        Ok(Some(all))
+    }
+
     /// Returns the space after `⋉`, and how many copies of it there are.
     fn vectors(&mut self) -> Result<(Space, usize), FormulaSystemError> {
-        let needed = "a space of vectors, such as R3 or C2,";
+        let needed = "a space of vectors, such as R3 or C2, or a representation that is given,";
         if self.peek() != Some(&Token::Open) {
             let Some(space) = self.peek().and_then(word).and_then(space) else {
                 return Err(self.expected(needed));

@@ -1,5 +1,6 @@
 //! A Lie algebra with names, of which expressions are made: [`Part`].
 
+use super::given_representation::require_representation;
 use crate::algebras::family::Family;
 use crate::casimirs::matrix_algebra::MatrixAlgebra;
 use crate::error::FormulaSystemError;
@@ -94,7 +95,38 @@ impl Part {
     /// Its bracket is [(ξ, v), (η, w)] = ([ξ, η], ξw − ηv). Translations act trivially on further vectors.
     pub(super) fn acting(self, copies: usize) -> Option<Result<Self, FormulaSystemError>> {
         let Representation { matrices, space } = self.acts.clone()?;
-        let (first, n) = (self.coordinates.dimension(), space.dimension());
+        let n = space.dimension();
+        let none = vec![DMatrix::zeros(n, n); copies * n];
+        let acts = Representation { matrices: [&matrices[..], &none].concat(), space };
+        let made = self.with_vectors(&matrices, space.symbol(), copies);
+        Some(made.map(|part| Self { acts: Some(acts), ..part }))
+    }
+
+    /// Returns the semidirect product with so many copies of the vectors of each representation that is given by its matrices.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Representation`] if the matrices are none of the algebra.
+    pub(super) fn acting_by(
+        self,
+        given: &[(&str, &[DMatrix<f64>], usize)],
+    ) -> Result<Self, FormulaSystemError> {
+        let mut part = self.clone();
+        for (name, matrices, copies) in given {
+            require_representation(name, matrices, (&self.coordinates, &self.constants))?;
+            part = part.with_vectors(matrices, name, *copies)?;
+        }
+        Ok(part)
+    }
+
+    /// Returns the semidirect product with so many copies of a space on which the first basis vectors act by these matrices,
+    /// and the others trivially.
+    fn with_vectors(
+        self,
+        matrices: &[DMatrix<f64>],
+        symbol: &str,
+        copies: usize,
+    ) -> Result<Self, FormulaSystemError> {
+        let (first, n) = (self.coordinates.dimension(), matrices.first().map_or(0, DMatrix::nrows));
         let mut constants = self.constants.clone();
         for (copy, (i, matrix)) in
             (0..copies).flat_map(|copy| matrices.iter().enumerate().map(move |of| (copy, of)))
@@ -110,19 +142,13 @@ impl Part {
                 }),
             );
         }
-        let vectors = Coordinates::new().vector(space.symbol(), n);
+        let vectors = Coordinates::new().vector(symbol, n);
         let vectors =
             vectors.and_then(|one| if copies == 1 { Ok(one) } else { one.repeated(copies) });
         let coordinates = vectors.and_then(|vectors| self.coordinates.then(&vectors));
-        let none = vec![DMatrix::zeros(n, n); copies * n];
-        let acts = Representation { matrices: [matrices, none].concat(), space };
-        Some(coordinates.map_err(FormulaSystemError::Coordinates).map(|coordinates| Self {
-            coordinates,
-            constants,
-            acts: Some(acts),
-            family: Family::Other,
-            summands: Vec::new(),
-        }))
+        let coordinates = coordinates.map_err(FormulaSystemError::Coordinates)?;
+        let (family, summands) = (Family::Other, Vec::new());
+        Ok(Self { coordinates, constants, acts: None, family, summands })
     }
 }
 

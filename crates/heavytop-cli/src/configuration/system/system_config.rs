@@ -7,7 +7,8 @@ use crate::errors::{Error, SystemTableError};
 use crate::runs::{Experiment, Pace, Schedule};
 use heavytop::methods::Formulation;
 use lie_poisson_formula_systems::{
-    FormulaSystem, FormulaSystemError, QuadraticMomenta, SystemAlgebra, SystemKind, structure_table,
+    FormulaSystem, FormulaSystemError, QuadraticMomenta, SystemAlgebra, SystemKind,
+    matrices_of_rows, structure_table,
 };
 use lie_poisson_formulas::{Coordinates, Parameters};
 use lie_poisson_runs::ArrayKind;
@@ -43,6 +44,9 @@ pub struct SystemConfig {
     /// a file with such a text.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub structure_constants: Option<String>,
+    /// The matrices of representations that the expression of the algebra names, one for each coordinate of the algebra before.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub representations: BTreeMap<String, Vec<Vec<Vec<f64>>>>,
     /// The matrices of a representation of the algebra, one for each coordinate, along whose momenta p·ρq the collective
     /// formulation goes.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -163,6 +167,7 @@ impl SystemConfig {
             || self.structure_constants.is_some()
             || self.bracket.is_some()
             || self.representation.is_some()
+            || !self.representations.is_empty()
             || self.momenta.is_some()
             || !self.brackets.is_empty()
     }
@@ -263,7 +268,10 @@ impl SystemConfig {
         let has_brackets = !self.brackets.is_empty();
         match (&self.algebra, &self.structure_constants) {
             (Some(name), None) if !has_brackets => {
-                let algebra = SystemAlgebra::named(name)?;
+                let given = self.representations.iter();
+                let given = given.map(|(name, rows)| Ok((name.clone(), matrices_of_rows(rows)?)));
+                let given = given.collect::<Result<_, FormulaSystemError>>()?;
+                let algebra = SystemAlgebra::named_with(name, &given)?;
                 let Some(symbols) = &self.coordinates else { return Ok(algebra) };
                 let symbols: Vec<&str> = symbols.iter().map(String::as_str).collect();
                 Ok(algebra.with_symbols(&symbols)?)

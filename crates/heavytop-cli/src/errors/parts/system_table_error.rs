@@ -134,6 +134,7 @@ fn keys_of(error: &FormulaSystemError) -> Vec<(String, &'static str)> {
         E::Structure(_) => key("structure_constants", ""),
         E::NoAlgebra { .. } | E::AlgebraText { .. } => key("algebra", ""),
         E::Symbols { .. } => key("coordinates", ""),
+        E::Representation { name, .. } => key(&format!("representations.{name}"), ""),
         E::Realisation { .. } => {
             ["representation", "momenta"].map(|of| (below_system(of), "")).to_vec()
         }
