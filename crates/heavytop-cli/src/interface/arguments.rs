@@ -137,7 +137,7 @@ pub(super) enum Command {
         #[command(flatten)]
         replacing: Replacing,
     },
-    /// Draw a run of a lattice, a fluid or many vortices.
+    /// Draw a run: vortices, spins, a fluid, or the coordinates against time.
     #[command(long_about = PLOT, after_long_help = PLOT_EXAMPLES)]
     Plot {
         /// The run: an archive FILE.npz of simulate.

@@ -11,7 +11,7 @@ use crate::commands::animate::animate;
 use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
 use crate::commands::export::export;
-use crate::commands::plot::plot;
+use crate::commands::plot::{PlotOptions, plot};
 use crate::commands::reproduce::reproduce;
 use crate::commands::section::{self, section};
 use crate::commands::simulate::{self, Checkpoint, RunSummary, SimulateOptions, simulate};
@@ -97,7 +97,8 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
         }
         Command::Plot { run, out, replacing, sample, plane } => {
             let safeguard = Safeguard::new(vec![Input::File(run.clone())], replacing.force);
-            plot(&run, &out, (sample, plane), &watch(quiet, &safeguard))
+            let options = PlotOptions { sample, plane };
+            plot(&run, &out, options, &watch(quiet, &safeguard))
                 .and_then(|done| closing.print(&done, &Notes::default()))
         }
         Command::Export { run, out, replacing, format, every } => {

@@ -33,9 +33,6 @@ pub enum SystemTableError {
         /// The name of the kind of system.
         kind: &'static str,
     },
-    /// The archive of a run that is to be drawn is not of a system of arrays.
-    #[error("plot draws runs of lattices, of fluids, and of more than 48 vortices")]
-    NoArrays,
     /// The start is given twice.
     #[error("write initial or initial_file, not both")]
     TwoStarts,
@@ -95,7 +92,6 @@ impl SystemTableError {
                     .to_vec()
             }
             Self::OnlySimulated { .. } => key("system.kind", "use simulate"),
-            Self::NoArrays => Vec::new(),
             Self::TwoStarts | Self::NoStartFile | Self::OtherStart { .. } => {
                 key("system.initial_file", "")
             }

@@ -2,6 +2,8 @@
 
 mod kinds_of_systems;
 mod systems_of_arrays;
+mod drawn_marks;
+mod plots;
 mod system_sections;
 mod system_sweeps;
 mod systems;
