@@ -95,9 +95,9 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
                 false => Ok(()),
             }
         }
-        Command::Plot { run, out, replacing, sample, plane } => {
+        Command::Plot { run, out, replacing, sample, plane, every, fps } => {
             let safeguard = Safeguard::new(vec![Input::File(run.clone())], replacing.force);
-            let options = PlotOptions { sample, plane };
+            let options = PlotOptions { sample, plane, every, fps };
             plot(&run, &out, options, &watch(quiet, &safeguard))
                 .and_then(|done| closing.print(&done, &Notes::default()))
         }

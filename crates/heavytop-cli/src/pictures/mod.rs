@@ -10,6 +10,7 @@ pub(crate) mod frame;
 pub(crate) mod raster;
 pub(crate) mod render;
 pub(crate) mod curves;
+pub(crate) mod films;
 
 pub(crate) use axis::Axis;
 pub(crate) use frame::Frame;

@@ -2,6 +2,7 @@
 
 mod run_subject;
 mod run_arrays;
+mod picture_format;
 mod plot_options;
 mod plot_summary;
 mod histories;

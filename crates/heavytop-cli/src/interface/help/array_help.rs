@@ -7,13 +7,15 @@ Draws a run of simulate, as PNG or SVG:
   fluid            the vorticity at one time, in Mollweide's projection
   vortices         their places at one time, in Mollweide's projection; the tracks of up to 48
   other systems    the coordinates against time, and how far the conserved quantities are from
-  and tops         their start: relative to it, or absolute where it is 0";
+  and tops         their start: relative to it, or absolute where it is 0
+
+What is drawn at one time is a film in a file .gif. All frames have the same scale of colours.";
 
 pub(crate) const PLOT_EXAMPLES: &str = "\
 Examples:
   heavytop plot top.npz --out top.svg
-  heavytop plot fluid.npz --out fluid.png
-  heavytop plot lattice.npz --out lattice.svg --sample 0 --plane 3";
+  heavytop plot lattice.npz --out lattice.svg --sample 0 --plane 3
+  heavytop plot fluid.npz --out fluid.gif --every 10 --fps 25";
 
 pub(crate) const EXPORT: &str = "\
 Writes each sample of the vectors of a run, such as spins on a lattice, to a file of its own that

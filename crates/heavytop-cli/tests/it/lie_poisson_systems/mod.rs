@@ -4,6 +4,7 @@ mod kinds_of_systems;
 mod systems_of_arrays;
 mod drawn_marks;
 mod plots;
+mod films;
 mod system_sections;
 mod system_sweeps;
 mod systems;

@@ -269,7 +269,7 @@ fn what_cannot_be_drawn_or_exported_is_refused() {
         (&["plot", "missing.npz", "--out", "a.png"][..], "missing.npz: it cannot be read"),
         (&["plot", "text.npz", "--out", "a.png"], "it is no archive of arrays"),
         (&["plot", "foreign.npz", "--out", "a.png"], "it is no archive of simulate"),
-        (&["plot", "spins.npz", "--out", "a.gif"], "must end in .png or .svg"),
+        (&["plot", "spins.npz", "--out", "a.jpg"], "must end in .png, .svg or .gif"),
         (&["plot", "spins.npz", "--out", "foreign.svg"], "exists, and is not overwritten"),
         (
             &["plot", "spins.npz", "--out", "a.png", "--sample", "4"],

@@ -73,6 +73,8 @@ fn of_arrays(folder: &Folder) -> BTreeSet<String> {
     simulate(&config("integrator.end = 0.1"), &folder.path("top.npz"), &options).unwrap();
     let file = folder.path("top.npz");
     let from = |checksum: &str| with(&format!("initial_file = '{}'\n{checksum}", file.display()));
+    let of_one = PlotOptions { sample: Some(0), ..PlotOptions::default() };
+    let one_sample = plot(&folder.path("top.npz"), &folder.path("a.gif"), of_one, &watch);
     folder.write("text.npz", "");
     let other_shape = folder.path("five.ovf");
     folder.write("five.ovf", "# OOMMF OVF 2.0\n# Begin: Data Text\n");
@@ -81,7 +83,9 @@ fn of_arrays(folder: &Folder) -> BTreeSet<String> {
             "Error::TooWide",
             simulate(&with("initial.tilt = 1"), &folder.path("w.csv"), &options),
         ),
-        refused("Error::NoPicture", drawn("top.npz", "a.gif")),
+        refused("Error::NoPicture", drawn("top.npz", "a.jpg")),
+        refused("Error::NoFilm", drawn("top.npz", "a.gif")),
+        refused("Error::OtherPicture", one_sample),
         refused("FieldFileError::Read", drawn("missing.npz", "a.png")),
         refused("FieldFileError::Format", drawn("text.npz", "a.png")),
         refused("FieldFileError::NoArray", from("").run()),

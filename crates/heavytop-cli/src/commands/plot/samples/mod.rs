@@ -7,3 +7,4 @@ mod fluid_map;
 mod vortex_tracks;
 mod vortex_map;
 pub(super) mod choice;
+pub(super) mod film_of_samples;
