@@ -15,13 +15,15 @@ const COMMENT: AnyExtension = AnyExtension(0xfe);
 /// The number of pixels for each CSS pixel.
 const SCALE: f32 = 2.0;
 
-/// A film that is being written: it runs again and again. One frame is in memory at a time.
+/// A film that is being written: it runs again and again. Two frames are in memory at a time.
 pub(crate) struct Film {
     path: PathBuf,
     delay: u16,
     palette: FilmPalette,
     /// The encoder and the size of the frames, once there is one.
     begun: Option<(Encoder<Output>, [u32; 2])>,
+    /// The places of the colours of the last frame.
+    last: Vec<u8>,
 }
 
 impl Film {
@@ -29,7 +31,13 @@ impl Film {
     pub fn new(path: &Path, frames_per_second: u32) -> Self {
         // A frame is shown for a whole number of hundredths of a second.
         let delay = (100.0 / f64::from(frames_per_second)).round() as u16;
-        Self { path: path.into(), delay, palette: FilmPalette::new(), begun: None }
+        Self {
+            path: path.into(),
+            delay,
+            palette: FilmPalette::new(),
+            begun: None,
+            last: Vec::new(),
+        }
     }
 
     /// Adds a frame, of which the first gives the size of all of them.
@@ -45,8 +53,12 @@ impl Film {
         if self.begun.is_none() {
             self.begun = Some((self.begin([width, height])?, size));
         }
-        let buffer = self.palette.places(&pixels).into();
-        let frame = Frame { delay: self.delay, width, height, buffer, ..Frame::default() };
+        let places = self.palette.places(&pixels);
+        let transparent = (!self.last.is_empty()).then_some(FilmPalette::CLEAR);
+        let buffer = changes(&self.last, &places).into();
+        self.last = places;
+        let delay = self.delay;
+        let frame = Frame { delay, width, height, buffer, transparent, ..Frame::default() };
         match &mut self.begun {
             Some((encoder, own)) if *own == size => {
                 encoder.write_frame(&frame).map_err(|error| failed(&self.path, error))
@@ -73,6 +85,17 @@ impl Film {
             Ok(encoder)
         });
         begun.map_err(|error| failed(&self.path, error))
+    }
+}
+
+/// Returns the pixels of a frame, without those that are as in the last one: a film of few changes is a short file.
+fn changes(last: &[u8], places: &[u8]) -> Vec<u8> {
+    match last.len() == places.len() {
+        true => {
+            let pairs = last.iter().zip(places);
+            pairs.map(|(old, new)| if old == new { FilmPalette::CLEAR } else { *new }).collect()
+        }
+        false => places.to_vec(),
     }
 }
 

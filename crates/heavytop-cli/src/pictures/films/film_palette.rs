@@ -4,9 +4,9 @@ use crate::pictures::colour_scale::{SIGNS, colour};
 use std::collections::HashMap;
 
 /// The number of colours of the scale.
-const SHADES: usize = 150;
+const SHADES: usize = 128;
 
-/// The numbers of grays, of colours of the scale that are blended with white and with black, and of blends of the marks.
+/// The numbers of grays, of colours of the scale that are blended with white, black and gray, and of blends of the marks.
 const BLENDS: [usize; 3] = [17, 16, 7];
 
 /// The colours of all frames of a film: those of the scale, of the marks and of the lines, and blends at their edges.
@@ -20,18 +20,22 @@ pub(super) struct FilmPalette {
 }
 
 impl FilmPalette {
+    /// The place of no colour, for pixels that stay as they are.
+    pub const CLEAR: u8 = 255;
+
     pub fn new() -> Self {
         const WHITE: [u8; 3] = [255; 3];
         const BLACK: [u8; 3] = [0; 3];
+        /// The gray of parallels and meridians.
+        const LINES: [u8; 3] = [128; 3];
         let shade = |index: usize, count: usize| colour(index as f64 / (count - 1) as f64);
         let [grays, blended, marks] = BLENDS;
         let mut colours: Vec<_> = (0..SHADES).map(|index| shade(index, SHADES)).collect();
         colours.extend((0..grays).map(|index| blend(BLACK, WHITE, index, grays - 1)));
         for index in 0..blended {
-            for other in [WHITE, BLACK] {
-                let edge = (1..3).map(|part| blend(shade(index, blended), other, part, 3));
-                colours.extend(edge);
-            }
+            let edge = |other, part| blend(shade(index, blended), other, part, 6);
+            let edges = [(WHITE, 2), (WHITE, 4), (BLACK, 2), (BLACK, 4), (LINES, 3)];
+            colours.extend(edges.map(|(other, part)| edge(other, part)));
         }
         for sign in SIGNS {
             colours.extend((0..marks).map(|part| blend(sign, WHITE, part, marks)));
@@ -92,7 +96,7 @@ mod tests {
     #[test]
     fn colours_of_pictures_are_in_the_palette_or_near_it() {
         let mut palette = FilmPalette::new();
-        assert!(palette.colours.len() <= 256, "{}", palette.colours.len());
+        assert!(palette.colours.len() <= usize::from(FilmPalette::CLEAR));
         let mut found = |[red, green, blue]: [u8; 3], opacity: u8| {
             let place = palette.places(&[red, green, blue, opacity])[0];
             palette.colours[usize::from(place)]

@@ -39,9 +39,16 @@ fn decoded(folder: &Folder, name: &str) -> Decoded {
     while let Some(frame) = decoder.read_next_frame().unwrap() {
         assert_eq!([frame.width, frame.height].map(usize::from), size);
         assert_eq!((frame.left, frame.top), (0, 0));
-        let pixels = frame.buffer.as_chunks::<4>().0.iter();
         delays.push(frame.delay);
-        frames.push(pixels.map(|&[red, green, blue, _]| [red, green, blue]).collect());
+        // What is transparent stays as it was; of the first frame nothing is.
+        let before: Option<&Vec<[u8; 3]>> = frames.last();
+        let pixels = frame.buffer.as_chunks::<4>().0.iter().enumerate();
+        let pixels = pixels.map(|(place, &[red, green, blue, opacity])| match opacity {
+            0 => before.unwrap()[place],
+            _ => [red, green, blue],
+        });
+        let pixels = pixels.collect();
+        frames.push(pixels);
     }
     Decoded { size, delays, frames }
 }
