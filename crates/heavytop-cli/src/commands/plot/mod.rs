@@ -1,5 +1,6 @@
 //! The command `heavytop plot`, which draws a run.
 
+mod view;
 mod run_subject;
 mod run_arrays;
 mod picture_format;

@@ -1,5 +1,6 @@
-//! What a run is of, and how it is drawn: [`RunSubject`].
+//! What a run is of: [`RunSubject`].
 
+use super::view::View;
 use crate::configuration::{Config, Integration};
 use crate::errors::Error;
 use crate::pictures::caption;
@@ -20,16 +21,6 @@ pub(super) enum RunSubject {
         /// What it is, in words of a caption.
         about: Vec<String>,
     },
-}
-
-/// How a run is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum View {
-    Fluid,
-    Vortices,
-    Lattice,
-    Chain,
-    Panels,
 }
 
 impl RunSubject {

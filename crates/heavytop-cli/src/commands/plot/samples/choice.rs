@@ -5,7 +5,8 @@ use super::lattice_plane::LatticePlane;
 use super::sample_picture::SamplePicture;
 use super::vortex_map::VortexMap;
 use crate::commands::plot::run_arrays::RunArrays;
-use crate::commands::plot::run_subject::{RunSubject, View};
+use crate::commands::plot::run_subject::RunSubject;
+use crate::commands::plot::view::View;
 use crate::errors::Error;
 
 /// Returns the picture that shows a sample of a run, or `None` if runs like this are drawn against time.
