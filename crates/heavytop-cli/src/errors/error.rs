@@ -56,10 +56,27 @@ pub enum Error {
         most: usize,
     },
     /// The name of a picture has another ending.
-    #[error("{} is no picture: its name must end in .png or .svg", path.display())]
+    #[error("{} is no picture: its name must end in .png, .svg or .gif", path.display())]
     NoPicture {
         /// The path of the picture.
         path: PathBuf,
+    },
+    /// A picture that shows a whole run would be a film.
+    #[error(
+        "{} would be a film, and the picture shows the whole run at once: its name must end in .png or .svg",
+        path.display()
+    )]
+    NoFilm {
+        /// The path of the film.
+        path: PathBuf,
+    },
+    /// An option of a picture is of another kind of picture.
+    #[error("--{option} is for {kind}")]
+    OtherPicture {
+        /// The name of the option.
+        option: &'static str,
+        /// The kind of picture that has the option, and the endings of its name.
+        kind: &'static str,
     },
     /// The configuration is not TOML, or has an unknown key or a wrong type.
     #[error("{0}")]

@@ -38,9 +38,17 @@ impl Archive {
     /// # Errors
     /// If the file cannot be read, or is no archive.
     pub(crate) fn open(path: &Path) -> Result<Self, FieldFileError> {
+        Self::open_ahead(path, 1 << 20)
+    }
+
+    /// Opens an archive of which so many bytes are read ahead.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or is no archive.
+    pub(crate) fn open_ahead(path: &Path, bytes: usize) -> Result<Self, FieldFileError> {
         let file = File::open(path)?;
         let length = file.metadata()?.len();
-        let archive = ZipArchive::new(BufReader::with_capacity(1 << 20, file));
+        let archive = ZipArchive::new(BufReader::with_capacity(bytes, file));
         archive
             .map(|zip| Self { zip, length })
             .map_err(|error| FieldFileError::Format(format!("it is no archive of arrays: {error}")))

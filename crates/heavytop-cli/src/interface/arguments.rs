@@ -137,12 +137,12 @@ pub(super) enum Command {
         #[command(flatten)]
         replacing: Replacing,
     },
-    /// Draw a run of a lattice, a fluid or many vortices.
+    /// Draw a run: vortices, spins, a fluid, or the coordinates against time.
     #[command(long_about = PLOT, after_long_help = PLOT_EXAMPLES)]
     Plot {
         /// The run: an archive FILE.npz of simulate.
         run: PathBuf,
-        /// The picture to write; its name ends in .png or .svg.
+        /// The picture to write; its name ends in .png or .svg, or in .gif for a film.
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
         #[command(flatten)]
@@ -153,6 +153,12 @@ pub(super) enum Command {
         /// The index along the third axis of the plane that is drawn; without it the middle one.
         #[arg(long, value_name = "INDEX")]
         plane: Option<usize>,
+        /// Make a frame of a film from every N-th sample; without it there are at most 200 frames.
+        #[arg(long, value_name = "N")]
+        every: Option<usize>,
+        /// The frames of a film per second, 1 to 50; without it 20.
+        #[arg(long, value_name = "F")]
+        fps: Option<u32>,
     },
     /// Write the vectors of a run for ParaView, OOMMF or Ubermag.
     #[command(long_about = EXPORT, after_long_help = EXPORT_EXAMPLES)]

@@ -11,7 +11,7 @@ use crate::commands::animate::animate;
 use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
 use crate::commands::export::export;
-use crate::commands::plot::plot;
+use crate::commands::plot::{PlotOptions, plot};
 use crate::commands::reproduce::reproduce;
 use crate::commands::section::{self, section};
 use crate::commands::simulate::{self, Checkpoint, RunSummary, SimulateOptions, simulate};
@@ -95,9 +95,10 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
                 false => Ok(()),
             }
         }
-        Command::Plot { run, out, replacing, sample, plane } => {
+        Command::Plot { run, out, replacing, sample, plane, every, fps } => {
             let safeguard = Safeguard::new(vec![Input::File(run.clone())], replacing.force);
-            plot(&run, &out, (sample, plane), &watch(quiet, &safeguard))
+            let options = PlotOptions { sample, plane, every, fps };
+            plot(&run, &out, options, &watch(quiet, &safeguard))
                 .and_then(|done| closing.print(&done, &Notes::default()))
         }
         Command::Export { run, out, replacing, format, every } => {

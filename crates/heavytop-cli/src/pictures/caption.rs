@@ -13,6 +13,11 @@ pub(crate) fn number(x: f64) -> String {
     significant(x, DIGITS)
 }
 
+/// Returns a text of a user as the inside of an SVG text.
+pub(crate) fn plain(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
 /// Formats a vector of a caption.
 pub(crate) fn vector(components: impl IntoIterator<Item = f64>) -> String {
     format!("({})", components.into_iter().map(number).collect::<Vec<_>>().join(", "))

@@ -13,6 +13,9 @@ const VIRIDIS: [[f64; 3]; 6] = [
     [253.0, 231.0, 37.0],
 ];
 
+/// The red and the blue of marks for positive and for negative quantities.
+pub(crate) const SIGNS: [[u8; 3]; 2] = [[178, 24, 43], [33, 102, 172]];
+
 /// Returns the red, green and blue (0 to 255) of a value from 0 to 1.
 ///
 /// A value outside the scale has the colour of the nearer end, and NaN that of the lower end.

@@ -25,6 +25,8 @@ const GAP: f64 = 150.0;
 const BAR: (f64, f64) = (350.0, 650.0);
 /// The space below the abscissa.
 const BELOW: f64 = 1100.0;
+/// The space between panels.
+const BETWEEN: f64 = 300.0;
 
 /// The place of the picture's field, between its axes.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,13 +50,33 @@ impl Frame {
     /// Creates the frame of a picture of this height.
     pub fn of_height(height: f64, caption: &[String], ordinate: Scale, bar: Option<Scale>) -> Self {
         let caption = lines(caption, (WIDTH - 4.0 * EDGE) / TEXT);
-        let left = EDGE + (ASCENT + DESCENT) * TEXT + EDGE + ordinate.label_width() * TEXT + GAP;
+        let left = left(ordinate.label_width());
         let beside = bar.as_ref().map_or(600.0, |bar| {
             BAR.1 + GAP + bar.label_width() * TEXT + EDGE + (ASCENT + DESCENT) * TEXT + EDGE
         });
         let top = 2.0 * EDGE + LINE * caption.len() as f64;
         let (right, bottom) = (WIDTH - beside, height - BELOW);
         Self { left, top, right, bottom, height, caption, ordinate, bar }
+    }
+
+    /// Creates the frames of panels one above the other in a picture of this height, with so much room on their right.
+    pub fn stacked(
+        height: f64,
+        caption: &[String],
+        ordinates: Vec<Scale>,
+        beside: f64,
+    ) -> Vec<Self> {
+        let caption = lines(caption, (WIDTH - 4.0 * EDGE) / TEXT);
+        let left = left(ordinates.iter().map(Scale::label_width).fold(0.0, f64::max));
+        let (right, above) = (WIDTH - beside, 2.0 * EDGE + LINE * caption.len() as f64);
+        let step = (height - BELOW + BETWEEN - above) / ordinates.len().max(1) as f64;
+        let frame = |(row, ordinate): (usize, Scale)| {
+            let top = above + step * row as f64;
+            let caption = if row == 0 { caption.clone() } else { Vec::new() };
+            let bottom = top + step - BETWEEN;
+            Self { left, top, right, bottom, height, caption, ordinate, bar: None }
+        };
+        ordinates.into_iter().enumerate().map(frame).collect()
     }
 
     /// Returns the length of the abscissa, as a multiple of the size of the text.
@@ -137,6 +159,11 @@ impl Frame {
         }
         let _ = write!(svg, "<path d=\"{ticks}\" stroke=\"black\" stroke-width=\"{RULE}\"/>");
     }
+}
+
+/// Returns the left edge of a field whose ordinate has labels of this width, as a multiple of their size.
+fn left(labels: f64) -> f64 {
+    EDGE + (ASCENT + DESCENT) * TEXT + EDGE + labels * TEXT + GAP
 }
 
 // Writing to a string does not fail.

@@ -1,4 +1,4 @@
-//! Rendering of SVG: text to outlines, and SVG to PNG.
+//! Rendering of SVG: text to outlines, and SVG to PNG and to pixels.
 
 use crate::errors::Error;
 use crate::files::{Kind, contains};
@@ -9,6 +9,9 @@ const COMMENT: &str = "<!-- heavytop -->";
 
 /// The field of every PNG that the program writes: a keyword of the standard, and its text.
 const SOFTWARE: &str = "Software\0heavytop";
+
+/// The comment of every GIF that the program writes.
+pub(crate) const GIF_COMMENT: &str = "Software: heavytop";
 
 /// The length of the signature of a PNG and of its first chunk, after which others may be.
 const PNG_HEADER: usize = 8 + 25;
@@ -25,12 +28,23 @@ pub(crate) const PNG: Kind<'_> = Kind {
     is_whole: |head, _| Ok(contains(head.get(PNG_HEADER..).unwrap_or_default(), SOFTWARE)),
 };
 
+pub(crate) const GIF: Kind<'_> = Kind {
+    name: "picture of heavytop",
+    first: b"GIF89a",
+    is_whole: |head, _| Ok(contains(head, GIF_COMMENT)),
+};
+
 /// Returns the drawing with its text as outlines, and the same as PNG with `scale` pixels per CSS pixel.
 pub(crate) fn render(drawing: &str, scale: f32) -> Result<(String, Vec<u8>), Error> {
     let picture = Picture::new(drawing).map_err(failed)?;
     let svg = picture.svg().replacen('>', &format!(">\n    {COMMENT}"), 1);
     let png = picture.png(scale).map_err(failed)?;
     Ok((svg, with_field(&png, SOFTWARE)))
+}
+
+/// Returns the width and the height of a drawing with `scale` pixels per CSS pixel, and its pixels, four bytes each.
+pub(crate) fn pixels(drawing: &str, scale: f32) -> Result<([u32; 2], Vec<u8>), Error> {
+    Picture::new(drawing).and_then(|picture| picture.pixels(scale)).map_err(failed)
 }
 
 /// Returns the PNG with a field of text (a chunk `tEXt`) after its header.

@@ -48,6 +48,33 @@ impl Picture {
     /// [`PictureError::Pixels`] for a scale at which there are no pixels, or too many, and [`PictureError::Svg`] for
     /// images in the drawing other than PNG, and those that are clipped, masked, filtered or translucent.
     pub fn png(&self, scale: f32) -> Result<Vec<u8>, PictureError> {
+        self.drawn(scale)?.encode_png().map_err(invalid)
+    }
+
+    /// Returns the width and the height in pixels, with `scale` pixels per unit, and the red, green, blue and opacity of each
+    /// pixel in rows from the top, for other formats than PNG.
+    ///
+    /// # Errors
+    /// Those of [`png`](Self::png).
+    ///
+    /// # Examples
+    /// ```
+    /// use svg_pictures::Picture;
+    ///
+    /// let picture = Picture::new(
+    ///     r##"<svg xmlns="http://www.w3.org/2000/svg" width="2" height="1">
+    ///          <rect width="2" height="1" fill="#ff0080"/></svg>"##,
+    /// )?;
+    /// let (size, pixels) = picture.pixels(1.0)?;
+    /// assert_eq!((size, pixels), ([2, 1], [255, 0, 128, 255].repeat(2)));
+    /// # Ok::<(), svg_pictures::PictureError>(())
+    /// ```
+    pub fn pixels(&self, scale: f32) -> Result<([u32; 2], Vec<u8>), PictureError> {
+        let pixels = self.drawn(scale)?;
+        Ok(([pixels.width(), pixels.height()], pixels.take_demultiplied()))
+    }
+
+    fn drawn(&self, scale: f32) -> Result<Pixmap, PictureError> {
         let size = self.tree.size();
         let refused = || PictureError::Pixels { width: size.width(), height: size.height(), scale };
         let count = size.to_int_size().scale_by(scale).ok_or_else(refused)?;
@@ -57,6 +84,6 @@ impl Picture {
             true => draw(self.tree.root(), transform, &mut pixels)?,
             false => resvg::render(&self.tree, transform, &mut pixels.as_mut()),
         }
-        pixels.encode_png().map_err(invalid)
+        Ok(pixels)
     }
 }

@@ -1,9 +1,15 @@
-//! The command `heavytop plot`, which draws the arrays of a run.
+//! The command `heavytop plot`, which draws a run.
 
-mod plot_command;
-mod chain_picture;
-mod lattice_picture;
-mod sphere_picture;
+mod view;
+mod run_subject;
 mod run_arrays;
+mod picture_format;
+mod plot_options;
+mod plot_summary;
+mod histories;
+mod samples;
+mod plot_command;
 
-pub use plot_command::{PlotSummary, plot};
+pub use plot_command::plot;
+pub use plot_options::PlotOptions;
+pub use plot_summary::PlotSummary;

@@ -1,69 +1,74 @@
-//! The command `plot`: reads an archive of a run and draws a picture.
+//! The command `plot`: reads an archive of a run and draws a picture or a film.
 
-use super::chain_picture::chain_picture;
-use super::lattice_picture::lattice_picture;
+use super::histories::chain_picture::chain_picture;
+use super::histories::panels_picture::panels_picture;
+use super::picture_format::PictureFormat;
+use super::plot_options::PlotOptions;
+use super::plot_summary::PlotSummary;
 use super::run_arrays::RunArrays;
-use super::sphere_picture::{fluid_picture, vortex_picture};
+use super::samples::choice::sample_picture;
+use super::samples::film_of_samples::film_of_samples;
+use super::samples::sample_picture::SamplePicture;
+use super::view::View;
 use crate::errors::Error;
 use crate::files::Output;
-use crate::files::place::shown;
-use crate::pictures::render::{PNG, SVG, render};
+use crate::pictures::render::render;
 use crate::supervision::Watch;
-use serde::Serialize;
-use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The number of pixels of a PNG for each CSS pixel.
 const SCALE: f32 = 3.0;
 
-/// The summary of a picture.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct PlotSummary {
-    /// The path of the picture.
-    pub out: PathBuf,
-    /// The time of the sample that is drawn last, s.
-    pub time: f64,
-}
-
-impl fmt::Display for PlotSummary {
-    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(to, "t = {} s in {}", self.time, shown(&self.out))
-    }
-}
-
-/// Draws a run in the archive `run`: a chain of spins against time; a plane of a lattice, the vorticity of a fluid, or
-/// vortices in Mollweide's projection at a sample, the last one unless its number is given.
+/// Draws a run in the archive `run`: a plane of a lattice, the vorticity of a fluid, or vortices in Mollweide's projection at a
+/// sample, or as a film; a chain of spins, or the coordinates of another system or of a top, against time.
 ///
 /// # Errors
-/// If the archive cannot be read or is of another run, there is no such sample or plane, or the picture cannot be written.
+/// If the archive cannot be read, there is no such sample, plane or film, or the picture cannot be written.
 pub fn plot(
     run: &Path,
     out: &Path,
-    (sample, plane): (Option<usize>, Option<usize>),
+    options: PlotOptions,
     watch: &Watch<'_>,
 ) -> Result<PlotSummary, Error> {
-    let is_svg = match out.extension().and_then(|ending| ending.to_str()) {
-        Some(ending) if ending.eq_ignore_ascii_case("svg") => true,
-        Some(ending) if ending.eq_ignore_ascii_case("png") => false,
-        _ => return Err(Error::NoPicture { path: out.into() }),
-    };
-    watch.safeguard.require(out, if is_svg { &SVG } else { &PNG })?;
-    let mut run = RunArrays::open(run)?;
+    let format = PictureFormat::of(out)?;
+    options.require(format)?;
+    watch.safeguard.require(out, &format.kind())?;
+    let run = RunArrays::open(run)?;
     let last = run.times.len().saturating_sub(1);
-    let sample = sample.unwrap_or(last);
-    let (name, shape) = run.first();
+    let sample = options.sample.unwrap_or(last);
     if sample > last {
         let range = "that of a sample of the run";
         return Err(Error::OutOfRange { name: "sample", range, value: sample as f64 });
     }
-    let drawing = match (name, shape.len()) {
-        ("omega", _) => fluid_picture(&mut run, sample)?,
-        ("m", _) => vortex_picture(&mut run, sample)?,
-        (_, 2) => chain_picture(&mut run)?,
-        _ => lattice_picture(&mut run, sample, plane)?,
+    let drawing = match sample_picture(&run, options.plane)? {
+        Some(picture) if format == PictureFormat::Gif => {
+            return film_of_samples(&run, picture, out, options, watch);
+        }
+        None if format == PictureFormat::Gif => {
+            return Err(Error::NoFilm { path: out.into() });
+        }
+        Some(picture) => drawing_of(&run, picture, sample)?,
+        None if run.subject.view() == View::Chain => chain_picture(&run)?,
+        None => panels_picture(&run)?,
     };
     let (svg, png) = render(&drawing, SCALE)?;
-    Output::whole(out, if is_svg { svg.as_bytes() } else { &png })?;
-    let time = run.times.get(sample).copied().unwrap_or_default();
-    Ok(PlotSummary { out: out.into(), time })
+    Output::whole(out, if format == PictureFormat::Svg { svg.as_bytes() } else { &png })?;
+    Ok(PlotSummary { out: out.into(), time: run.time(sample), frames: None })
+}
+
+/// Draws a sample.
+fn drawing_of(
+    run: &RunArrays,
+    mut picture: Box<dyn SamplePicture + '_>,
+    sample: usize,
+) -> Result<String, Error> {
+    let mut drawing = String::new();
+    run.each(&run.subject.parts(), |number, numbers| {
+        if number == sample {
+            picture.include(numbers);
+            drawing = picture.draw(numbers, run.time(number))?;
+        }
+        Ok(number < sample)
+    })?;
+    Ok(drawing)
 }

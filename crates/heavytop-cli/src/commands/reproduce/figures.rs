@@ -2,6 +2,7 @@
 
 use super::record::{QUANTITIES, Record};
 use crate::pictures::caption;
+use crate::pictures::curves::curve::{BLUE, Curve, DASHED, DOTTED, GRAY, GREEN, RED, WHOLE};
 use heavytop::Invariant;
 use heavytop::methods::{Formulation, Method, SchemeName};
 
@@ -17,38 +18,6 @@ pub(super) struct Figure<'a> {
     /// The parts of the caption: the top, its start, and the steps.
     pub caption: Vec<String>,
 }
-
-/// A curve with its place in the legend.
-#[derive(Clone, Debug)]
-pub(super) struct Curve<'a> {
-    /// The name of the curve.
-    pub name: String,
-    /// The colour of the curve, named as in the paper's captions.
-    pub colour: &'static str,
-    /// The dashes and gaps, in units of 0.01 mm; empty for a whole line.
-    pub dashes: &'static str,
-    /// The points (t, quantity).
-    pub points: &'a [(f64, f64)],
-}
-
-impl Curve<'_> {
-    /// Returns the highest value less the lowest.
-    pub fn span(&self) -> f64 {
-        let values = || self.points.iter().map(|point| point.1);
-        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
-    }
-}
-
-// The colours of Okabe and Ito, which readers with all kinds of colour vision tell apart, and a gray. Dashes tell the
-// curves apart in black and white. Source: M. Okabe & K. Ito, *Color Universal Design* (2008).
-const BLUE: &str = "#0072b2";
-const GREEN: &str = "#009e73";
-const RED: &str = "#d55e00";
-const GRAY: &str = "#555555";
-
-const WHOLE: &str = "";
-const DASHED: &str = "150 60";
-const DOTTED: &str = "35 35";
 
 type Line = (Formulation, SchemeName, &'static str, &'static str);
 

@@ -1,6 +1,6 @@
 //! Drawing of a figure as SVG whose text is still text.
 
-use super::figures::{Curve, Figure};
+use super::figures::Figure;
 use crate::pictures::Axis;
 use crate::pictures::lettering::{FONT, fitting, lines, widest, width};
 use std::fmt::Write;
@@ -44,7 +44,9 @@ pub(super) fn plot(figure: &Figure<'_>) -> String {
     let mut curves: Vec<_> = figure.curves.iter().collect();
     curves.sort_by(|one, other| other.span().total_cmp(&one.span()));
     for curve in curves {
-        draw_curve(curve, &time, &values, &layout, &mut svg);
+        curve.draw(&mut svg, CURVE, |(t, value)| {
+            (layout.x(time.along(t)), layout.y(values.along(value)))
+        });
     }
     let titles =
         [time.title("<tspan font-style='italic'>t</tspan> (s)"), values.title(figure.label)];
@@ -100,11 +102,6 @@ fn lay_out(figure: &Figure<'_>) -> (Axis, Axis, Layout) {
     (time, values, Layout { above, ..layout })
 }
 
-/// Returns the dashes of a curve as SVG writes them.
-fn dashes(curve: &Curve<'_>) -> &'static str {
-    if curve.dashes.is_empty() { "none" } else { curve.dashes }
-}
-
 // Writing to a string does not fail.
 
 /// Draws the grid, the axes, their ticks and labels.
@@ -137,22 +134,6 @@ fn draw_axes(time: &Axis, values: &Axis, layout: &Layout, svg: &mut String) {
     svg.push_str(&labels);
 }
 
-/// Draws the points of a curve that are numbers, joined by a line.
-fn draw_curve(curve: &Curve<'_>, time: &Axis, values: &Axis, layout: &Layout, svg: &mut String) {
-    let _ = write!(
-        svg,
-        "<polyline fill=\"none\" stroke-linejoin=\"round\" stroke=\"{}\" stroke-width=\"{CURVE}\" \
-         stroke-dasharray=\"{}\" points=\"",
-        curve.colour,
-        dashes(curve)
-    );
-    for (t, value) in curve.points.iter().filter(|point| point.1.is_finite()) {
-        let (x, y) = (layout.x(time.along(*t)), layout.y(values.along(*value)));
-        let _ = write!(svg, "{x:.0},{y:.0} ");
-    }
-    svg.push_str("\"/>");
-}
-
 /// Writes the titles of the axes, the caption and the legend.
 fn letter(figure: &Figure<'_>, [time, values]: &[String; 2], layout: &Layout, svg: &mut String) {
     let Layout { left, right, above, below, caption } = layout;
@@ -179,16 +160,8 @@ fn letter(figure: &Figure<'_>, [time, values]: &[String; 2], layout: &Layout, sv
     svg.push_str("</g>");
     for (row, curve) in figure.curves.iter().enumerate() {
         let y = layout.caption_height() + row as f64 * LEGEND_ROW + 230.0;
-        let (end, start, base) = (left + 900.0, left + 1050.0, y + 88.0);
-        let _ = write!(
-            svg,
-            "<path d=\"M{left:.0} {y:.0}H{end:.0}\" stroke=\"{}\" stroke-width=\"{}\" stroke-dasharray=\"{}\"/>\
-             <text x=\"{start:.0}\" y=\"{base:.0}\">{}</text>",
-            curve.colour,
-            2.0 * CURVE,
-            dashes(curve),
-            curve.name
-        );
+        let (from, to) = (*left, left + 900.0);
+        curve.draw_entry(svg, 2.0 * CURVE, (from, to, 150.0), y);
     }
 }
 
@@ -199,6 +172,7 @@ mod tests {
     use super::super::record::Record;
     use super::*;
     use crate::configuration::Config;
+    use crate::pictures::curves::curve::Curve;
     use crate::pictures::lettering::checks::{collisions, texts};
     use heavytop::methods::{Formulation, SchemeName};
 
@@ -260,7 +234,7 @@ mod tests {
         let records = records(1.0, 1e-3, 2.0);
         for figure in all(&records) {
             let drawing = plot(&figure);
-            let mut styles: Vec<_> = figure.curves.iter().map(dashes).collect();
+            let mut styles: Vec<_> = figure.curves.iter().map(Curve::dash_array).collect();
             for style in &styles {
                 // In the curve and in the legend.
                 let attribute = format!("stroke-dasharray=\"{style}\"");

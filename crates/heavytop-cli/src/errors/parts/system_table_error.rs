@@ -38,9 +38,6 @@ pub enum SystemTableError {
         /// The name of the kind of system.
         kind: &'static str,
     },
-    /// The archive of a run that is to be drawn is not of a system of arrays.
-    #[error("plot draws runs of lattices, of fluids, and of more than 48 vortices")]
-    NoArrays,
     /// The start is given twice.
     #[error("write initial or initial_file, not both")]
     TwoStarts,
@@ -101,6 +98,7 @@ impl SystemTableError {
                 "structure_constants",
                 "bracket",
                 "representation",
+                "representations",
                 "momenta",
                 "kind",
             ]
@@ -108,7 +106,6 @@ impl SystemTableError {
             .to_vec(),
             Self::TwoRealisations => key("system.momenta", "leave one of them out"),
             Self::OnlySimulated { .. } => key("system.kind", "use simulate or sweep"),
-            Self::NoArrays => Vec::new(),
             Self::TwoStarts | Self::NoStartFile | Self::OtherStart { .. } => {
                 key("system.initial_file", "")
             }

@@ -1,16 +1,21 @@
-//! The long texts of `--help` of the commands for runs of arrays.
+//! The long texts of `--help` of the commands that read archives of runs.
 
 pub(crate) const PLOT: &str = "\
-Draws a run of a system of arrays, as PNG or SVG:
+Draws a run of simulate, as PNG or SVG:
   chain of spins   the third components, against time
   lattice          a plane at one time: third components as colours, the others as arrows
   fluid            the vorticity at one time, in Mollweide's projection
-  vortices         their places at one time, in Mollweide's projection";
+  vortices         their places at one time, in Mollweide's projection; the tracks of up to 48
+  other systems    the coordinates against time, and how far the conserved quantities are from
+  and tops         their start: relative to it, or absolute where it is 0
+
+What is drawn at one time is a film in a file .gif. All frames have the same scale of colours.";
 
 pub(crate) const PLOT_EXAMPLES: &str = "\
 Examples:
-  heavytop plot fluid.npz --out fluid.png
-  heavytop plot lattice.npz --out lattice.svg --sample 0 --plane 3";
+  heavytop plot top.npz --out top.svg
+  heavytop plot lattice.npz --out lattice.svg --sample 0 --plane 3
+  heavytop plot fluid.npz --out fluid.gif --every 10 --fps 25";
 
 pub(crate) const EXPORT: &str = "\
 Writes each sample of the vectors of a run, such as spins on a lattice, to a file of its own that

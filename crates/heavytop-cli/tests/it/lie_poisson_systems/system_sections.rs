@@ -258,3 +258,18 @@ fn a_quantity_without_a_value_keeps_the_points_before_it() {
     assert!(kept.iter().zip(&all).all(|(kept, all)| kept[..9] == all[..9]));
     assert!(all[kept.len()][4] < -0.9, "{all:?}");
 }
+
+/// The picture says the Hamiltonian, whose comparisons have a sign of SVG.
+#[test]
+fn a_hamiltonian_with_a_comparison_is_drawn() {
+    let folder = Folder::new();
+    folder.write(
+        "body.toml",
+        "[system]\nalgebra = 'so(3)'\nhamiltonian = 'if(Pi1 < 9, Pi1^2 + 2*Pi2^2 + 3*Pi3^2, 0)'\n\
+         initial = { Pi = [1, 0.2, 0.1] }\n\
+         [section]\nsurface = 'Pi3'\nstarts = 1\ncrossings = 2\n",
+    );
+    let run = folder.heavytop(&["section", "body.toml", "--out", "here"]);
+    assert_eq!(run.code(), 0, "{}", run.stderr());
+    assert!(folder.path("here/section.svg").exists());
+}

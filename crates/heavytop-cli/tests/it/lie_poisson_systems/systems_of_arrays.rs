@@ -178,8 +178,7 @@ fn what_cannot_be_drawn_or_exported_is_refused() {
         folder.write("a.toml", &configuration(case));
         succeeded(&folder.heavytop(&["simulate", "a.toml", "--out", &format!("{name}.npz")]));
     }
-    folder.write("top.toml", "integrator.end = 0.1\n");
-    succeeded(&folder.heavytop(&["simulate", "top.toml", "--out", "top.npz"]));
+    write_archive(&folder, "foreign.npz", &[("t", "(1,)", vec![0.0])]);
     folder.write("text.npz", "no archive");
     folder.write("foreign.svg", "<svg ");
     std::fs::create_dir(folder.path("taken")).unwrap();
@@ -187,8 +186,8 @@ fn what_cannot_be_drawn_or_exported_is_refused() {
     for (arguments, said) in [
         (&["plot", "missing.npz", "--out", "a.png"][..], "missing.npz: it cannot be read"),
         (&["plot", "text.npz", "--out", "a.png"], "it is no archive of arrays"),
-        (&["plot", "top.npz", "--out", "a.png"], "plot draws runs of lattices"),
-        (&["plot", "spins.npz", "--out", "a.gif"], "must end in .png or .svg"),
+        (&["plot", "foreign.npz", "--out", "a.png"], "it is no archive of simulate"),
+        (&["plot", "spins.npz", "--out", "a.jpg"], "must end in .png, .svg or .gif"),
         (&["plot", "spins.npz", "--out", "foreign.svg"], "exists, and is not overwritten"),
         (
             &["plot", "spins.npz", "--out", "a.png", "--sample", "4"],

@@ -6,7 +6,7 @@ use heavytop_cli::Error;
 use heavytop_cli::commands::animate::animate;
 use heavytop_cli::commands::bench::{Bench, BenchOptions, bench};
 use heavytop_cli::commands::compare::compare;
-use heavytop_cli::commands::plot::plot;
+use heavytop_cli::commands::plot::{PlotOptions, plot};
 use heavytop_cli::commands::reproduce::reproduce;
 use heavytop_cli::commands::simulate::{Checkpoint, SimulateOptions, simulate};
 use heavytop_cli::commands::sweep::sweep;
@@ -68,11 +68,14 @@ fn of_arrays(folder: &Folder) -> BTreeSet<String> {
     let watch = Watch::default();
     let options = SimulateOptions::default();
     let with = |start: &str| config(&format!("{SPINS}{start}\n[integrator]\nend = 0.1\n"));
-    let drawn =
-        |run: &str, out: &str| plot(&folder.path(run), &folder.path(out), (None, None), &watch);
+    let drawn = |run: &str, out: &str| {
+        plot(&folder.path(run), &folder.path(out), PlotOptions::default(), &watch)
+    };
     simulate(&config("integrator.end = 0.1"), &folder.path("top.npz"), &options).unwrap();
     let file = folder.path("top.npz");
     let from = |checksum: &str| with(&format!("initial_file = '{}'\n{checksum}", file.display()));
+    let of_one = PlotOptions { sample: Some(0), ..PlotOptions::default() };
+    let one_sample = plot(&folder.path("top.npz"), &folder.path("a.gif"), of_one, &watch);
     folder.write("text.npz", "");
     let other_shape = folder.path("five.ovf");
     folder.write("five.ovf", "# OOMMF OVF 2.0\n# Begin: Data Text\n");
@@ -81,8 +84,9 @@ fn of_arrays(folder: &Folder) -> BTreeSet<String> {
             "Error::TooWide",
             simulate(&with("initial.tilt = 1"), &folder.path("w.csv"), &options),
         ),
-        refused("Error::NoPicture", drawn("top.npz", "a.gif")),
-        refused("SystemTableError::NoArrays", drawn("top.npz", "a.png")),
+        refused("Error::NoPicture", drawn("top.npz", "a.jpg")),
+        refused("Error::NoFilm", drawn("top.npz", "a.gif")),
+        refused("Error::OtherPicture", one_sample),
         refused("FieldFileError::Read", drawn("missing.npz", "a.png")),
         refused("FieldFileError::Format", drawn("text.npz", "a.png")),
         refused("FieldFileError::NoArray", from("").run()),

@@ -175,7 +175,7 @@ impl SectionProblem for SystemProblem {
     fn drawing(&self, limits: &Limits) -> Drawing {
         let [x, y] = self.section.axes().each_ref().map(title);
         let (formulation, scheme) = (self.method.formulation(), self.method.scheme());
-        let hamiltonian = brief::text(&self.system().hamiltonian().to_string());
+        let hamiltonian = words(self.system().hamiltonian());
         let names = self.conserved();
         let levels = names.iter().zip(&self.levels);
         let levels = levels.map(|(name, level)| format!("{name} = {}", number(*level)));
@@ -183,7 +183,7 @@ impl SectionProblem for SystemProblem {
             true => levels.collect::<Vec<_>>().join(", "),
             false => "given states".into(),
         };
-        let surface = brief::text(&self.section.surface().to_string());
+        let surface = words(self.section.surface());
         let fixed = number(self.section.level());
         let caption = vec![
             format!("<tspan font-style='italic'>h</tspan> = {hamiltonian}"),
@@ -208,5 +208,10 @@ impl SectionProblem for SystemProblem {
 
 /// Returns the title of an axis. What follows a plain space and a parenthesis would be read as a unit.
 fn title(axis: &Formula) -> String {
-    brief::text(&axis.to_string()).replace(" (", "\u{a0}(")
+    words(axis).replace(" (", "\u{a0}(")
+}
+
+/// Returns a formula, or its beginning, as the inside of an SVG text: a comparison has a sign of SVG.
+fn words(formula: &Formula) -> String {
+    caption::plain(&brief::text(&formula.to_string()))
 }

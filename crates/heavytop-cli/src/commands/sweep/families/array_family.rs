@@ -82,7 +82,7 @@ impl ArrayFamily {
         for (varied, value) in self.numbers.iter().zip(values) {
             varied.set(*value, &mut table, &mut []);
         }
-        let system = table.array_system()?.ok_or(SystemTableError::NoArrays)?;
+        let system = table.array_system()?.ok_or(SystemTableError::Missing("kind"))?;
         let columns = |system: &ArraySystem| {
             format!("{} coordinates and {}", system.dimension(), names(system).join(", "))
         };

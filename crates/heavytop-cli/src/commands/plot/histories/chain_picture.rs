@@ -1,6 +1,7 @@
 //! The picture of a chain of spins against time.
 
-use super::run_arrays::RunArrays;
+use super::time_axis::TimeAxis;
+use crate::commands::plot::run_arrays::RunArrays;
 use crate::errors::Error;
 use crate::pictures::raster::{bar, image, pixels, range};
 use crate::pictures::{Axis, Frame, Scale};
@@ -12,18 +13,18 @@ const MOST: usize = 2048;
 ///
 /// # Errors
 /// If the samples cannot be read.
-pub(super) fn chain_picture(run: &mut RunArrays) -> Result<String, Error> {
-    let (name, shape) = run.first();
+pub(in crate::commands::plot) fn chain_picture(run: &RunArrays) -> Result<String, Error> {
+    let (name, shape) = run.subject.state();
     let sites = shape.first().copied().unwrap_or(0);
     let strides = [run.times.len(), sites].map(|count| count.div_ceil(MOST).max(1));
     let mut columns: Vec<Vec<f64>> = Vec::new();
-    run.each(|number, spins| {
+    run.each(&run.subject.parts(), |number, spins| {
         if number.is_multiple_of(strides[0]) {
             let spins = spins.as_chunks::<3>().0.iter().step_by(strides[1]);
             let column: Vec<f64> = spins.map(|spin| spin[2]).collect();
             columns.push(column);
         }
-        true
+        Ok(true)
     })?;
     let rows = columns.first().map_or(0, Vec::len);
     let range = range(columns.iter().flatten().copied());
@@ -34,9 +35,7 @@ pub(super) fn chain_picture(run: &mut RunArrays) -> Result<String, Error> {
         Scale::linear(&Axis::new(0.5, sites as f64 + 0.5, 5), "number of the spin", false);
     let scale = Scale::linear(&Axis::new(range[0], range[1], 4), &format!("{name}₃"), false);
     let frame = Frame::new(&run.caption(format!("{sites} spins")), ordinate, Some(scale));
-    let end = run.times.last().copied().unwrap_or(0.0);
-    let abscissa = Axis::along_line(0.0_f64.min(end), 0.0_f64.max(end), 5, frame.length());
-    let abscissa = Scale::linear(&abscissa, "t (s)", end < 0.0);
+    let abscissa = TimeAxis::new(&run.times).scale(frame.length());
     let mut svg = Frame::begin();
     let size = [columns.len() as u32, rows as u32];
     image(&mut svg, &frame, (frame.left, frame.right), &pixels(size, &cells, Some(range), 255)?);

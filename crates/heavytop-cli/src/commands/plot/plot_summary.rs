@@ -1,0 +1,29 @@
+//! The summary of `plot`.
+
+use crate::files::place::shown;
+use serde::Serialize;
+use std::fmt;
+use std::path::PathBuf;
+
+/// The summary of a picture.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlotSummary {
+    /// The path of the picture.
+    pub out: PathBuf,
+    /// The time of the sample that is drawn last, s.
+    pub time: f64,
+    /// The number of frames of a film.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frames: Option<usize>,
+}
+
+impl fmt::Display for PlotSummary {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { out, time, frames } = self;
+        match frames {
+            Some(1) => writeln!(to, "1 frame at t = {time} s in {}", shown(out)),
+            Some(frames) => writeln!(to, "{frames} frames up to t = {time} s in {}", shown(out)),
+            None => writeln!(to, "t = {time} s in {}", shown(out)),
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! The picture of the vorticity of a fluid on the sphere: [`FluidMap`].
+//!
+//! The projection is that of [`SphereMap`], whose formula has this inverse, with x and y from −1 to 1 and sin α = y: the latitude
+//! asin((2α + sin 2α)/π) and the longitude πx/cos α.
+
+use super::sample_picture::SamplePicture;
+use super::sphere_map::SphereMap;
+use crate::commands::plot::run_arrays::RunArrays;
+use crate::errors::Error;
+use crate::pictures::caption::number;
+use crate::pictures::raster::{bar, image_at, pixels};
+use crate::pictures::{Axis, Scale};
+use lie_poisson_runs::ArraySystem;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The numbers of columns and rows of pixels.
+const SIZE: [u32; 2] = [960, 480];
+
+/// The end of the scale of colours, in multiples of the root mean square.
+const MOST: f64 = 3.0;
+
+/// The vorticity of a fluid as colours.
+pub(super) struct FluidMap<'a> {
+    run: &'a RunArrays,
+    system: &'a ArraySystem,
+    /// The largest mean square of the vorticity.
+    mean_square: f64,
+    /// The sample that was included last, and its vorticity, which takes long to compute.
+    last: (Vec<f64>, Vec<Option<f64>>),
+}
+
+impl<'a> FluidMap<'a> {
+    pub fn new(run: &'a RunArrays, system: &'a ArraySystem) -> Self {
+        Self { run, system, mean_square: 0.0, last: Default::default() }
+    }
+
+    /// Returns the vorticity in the rows of pixels from the top, and `None` beside the sphere.
+    fn cells(&self, omega: &[f64]) -> Vec<Option<f64>> {
+        let [columns, rows] = SIZE.map(|count| count as usize);
+        let mut cells = Vec::with_capacity(columns * rows);
+        for row in 0..rows {
+            let angle = (1.0 - 2.0 * (row as f64 + 0.5) / rows as f64).asin();
+            let latitude = ((2.0 * angle + (2.0 * angle).sin()) / PI).asin();
+            let circle = self.system.on_circle(omega, FRAC_PI_2 - latitude, 2 * columns);
+            let circle = circle.unwrap_or_else(|| vec![f64::NAN; 2 * columns]);
+            for column in 0..columns {
+                let x = (2.0 * (column as f64 + 0.5) / columns as f64 - 1.0) / angle.cos();
+                // The circle begins at the longitude 0, and the map at −180°.
+                let index = ((x + 2.0) * columns as f64) as usize % (2 * columns);
+                cells.push(circle.get(index).copied().filter(|_| x.abs() < 1.0));
+            }
+        }
+        cells
+    }
+}
+
+impl SamplePicture for FluidMap<'_> {
+    fn include(&mut self, sample: &[f64]) {
+        let cells = self.cells(sample);
+        let inside = cells.iter().flatten();
+        // Equal areas of the map are equal areas of the sphere.
+        let count = inside.clone().count().max(1);
+        self.mean_square = self.mean_square.max(inside.map(|x| x * x).sum::<f64>() / count as f64);
+        self.last = (sample.to_vec(), cells);
+    }
+
+    fn draw(&self, sample: &[f64], time: f64) -> Result<String, Error> {
+        let most = (MOST * self.mean_square.sqrt()).max(f64::MIN_POSITIVE);
+        let scale = Scale::linear(&Axis::new(-most, most, 6), "vorticity (1/s)", false);
+        let size = self.run.subject.state().1.first().copied().unwrap_or(0);
+        let caption = self.run.caption(format!("N = {size}, t = {} s", number(time)));
+        let map = SphereMap::new(&caption, Some(scale));
+        let mut svg = SphereMap::begin();
+        let ([x, y], radius) = (map.centre, map.radius);
+        let (included, cells) = &self.last;
+        let png = match included == sample {
+            true => pixels(SIZE, cells, Some([-most, most]), 255)?,
+            false => pixels(SIZE, &self.cells(sample), Some([-most, most]), 255)?,
+        };
+        image_at(&mut svg, (x - 2.0 * radius, x + 2.0 * radius), (y - radius, y + radius), &png);
+        bar(&mut svg, &map.frame, [-most, most])?;
+        map.draw(&mut svg);
+        Ok(map.complete(svg))
+    }
+}

@@ -1,0 +1,143 @@
+//! The picture of a plane of a lattice of spins: [`LatticePlane`].
+
+use super::sample_picture::SamplePicture;
+use crate::commands::plot::run_arrays::RunArrays;
+use crate::errors::Error;
+use crate::pictures::caption::number;
+use crate::pictures::raster::{bar, image, pixels, range};
+use crate::pictures::{Axis, Frame, Scale};
+use std::fmt::Write;
+
+/// The largest number of arrows along an axis.
+const ARROWS: usize = 32;
+
+/// The spins at one index of the third axis: the third components as colours, the others as arrows.
+pub(super) struct LatticePlane<'a> {
+    run: &'a RunArrays,
+    name: String,
+    shape: [usize; 3],
+    plane: usize,
+    /// The least and the largest third component in the plane.
+    ends: [f64; 2],
+    /// The length of the longest spin.
+    longest: f64,
+}
+
+impl<'a> LatticePlane<'a> {
+    /// Creates the picture of a plane, the middle one unless it is given.
+    ///
+    /// # Errors
+    /// If there is no such plane.
+    pub fn new(run: &'a RunArrays, plane: Option<usize>) -> Result<Self, Error> {
+        let (name, shape) = run.subject.state();
+        let shape = match shape[..] {
+            [nx, ny, _] => [nx, ny, 1],
+            [nx, ny, nz, _] => [nx, ny, nz],
+            _ => return Err(Error::Figure(format!("{name} has no planes"))),
+        };
+        let plane = plane.unwrap_or(shape[2] / 2);
+        if plane >= shape[2] {
+            let range = "below the number of planes";
+            return Err(Error::OutOfRange { name: "plane", range, value: plane as f64 });
+        }
+        let ends = [f64::INFINITY, f64::NEG_INFINITY];
+        Ok(Self { run, name, shape, plane, ends, longest: f64::MIN_POSITIVE })
+    }
+
+    /// Returns the spin at these indices.
+    fn spin(&self, spins: &[[f64; 3]], x: usize, y: usize) -> [f64; 3] {
+        let [_, ny, nz] = self.shape;
+        spins.get((x * ny + y) * nz + self.plane).copied().unwrap_or_default()
+    }
+
+    /// Returns the third components, the rows from the top.
+    fn cells<'b>(&'b self, spins: &'b [[f64; 3]]) -> impl Iterator<Item = f64> + 'b {
+        let [nx, ny, _] = self.shape;
+        (0..ny).rev().flat_map(move |y| (0..nx).map(move |x| self.spin(spins, x, y)[2]))
+    }
+}
+
+impl SamplePicture for LatticePlane<'_> {
+    fn include(&mut self, sample: &[f64]) {
+        let spins = sample.as_chunks::<3>().0;
+        let lengths = spins.iter().map(|s| s.iter().map(|x| x * x).sum::<f64>().sqrt());
+        self.longest = lengths.fold(self.longest, f64::max);
+        let [least, most] = self.ends;
+        self.ends = self.cells(spins).fold([least, most], |[a, b], x| [a.min(x), b.max(x)]);
+    }
+
+    fn draw(&self, sample: &[f64], time: f64) -> Result<String, Error> {
+        let spins = sample.as_chunks::<3>().0;
+        let [nx, ny, nz] = self.shape;
+        let cells: Vec<Option<f64>> = self.cells(spins).map(Some).collect();
+        let range = range(self.ends.into_iter());
+        let axis = |count: usize| Axis::new(-0.5, count as f64 - 0.5, 5);
+        let ordinate = Scale::linear(&axis(ny), "second index", false);
+        let title = format!("{}₃", self.name);
+        let scale = Scale::linear(&Axis::new(range[0], range[1], 4), &title, false);
+        let what = match nz {
+            1 => format!("t = {} s", number(time)),
+            _ => format!("plane {} of {nz}, t = {} s", self.plane, number(time)),
+        };
+        let frame = Frame::new(&self.run.caption(what), ordinate, Some(scale));
+        let abscissa = Scale::linear(&axis(nx), "first index", false);
+        let mut svg = Frame::begin();
+        let across = (frame.left, frame.right);
+        let size = [nx as u32, ny as u32];
+        image(&mut svg, &frame, across, &pixels(size, &cells, Some(range), 255)?);
+        arrows(&mut svg, &frame, [nx, ny], |x, y| {
+            let [first, second, _] = self.spin(spins, x, y);
+            [first / self.longest, second / self.longest]
+        });
+        bar(&mut svg, &frame, range)?;
+        frame.draw(&mut svg, &abscissa);
+        Ok(svg + "</svg>")
+    }
+}
+
+/// Draws an arrow for each spin of the plane, or for some of many.
+fn arrows(
+    svg: &mut String,
+    frame: &Frame,
+    [nx, ny]: [usize; 2],
+    spin: impl Fn(usize, usize) -> [f64; 2],
+) {
+    let strides = [nx, ny].map(|count| count.div_ceil(ARROWS).max(1));
+    let (width, height) = (frame.right - frame.left, frame.bottom - frame.top);
+    let cell = [width / nx as f64, height / ny as f64];
+    let length = 0.9 * (cell[0] * strides[0] as f64).min(cell[1] * strides[1] as f64);
+    let mut path = String::new();
+    for x in (strides[0] / 2..nx).step_by(strides[0]) {
+        for y in (strides[1] / 2..ny).step_by(strides[1]) {
+            let [first, second] = spin(x, y).map(|part| part * length);
+            let centre = [
+                frame.left + cell[0] * (x as f64 + 0.5),
+                frame.bottom - cell[1] * (y as f64 + 0.5),
+            ];
+            let tip = [centre[0] + 0.5 * first, centre[1] - 0.5 * second];
+            // The head is two lines at 25° from the shaft. Writing to a string does not fail.
+            let head = |side: f64| {
+                let (sin, cos) = (side * 25_f64.to_radians()).sin_cos();
+                let back = [-0.3 * first, 0.3 * second];
+                [back[0] * cos - back[1] * sin, back[0] * sin + back[1] * cos]
+            };
+            let ([a, b], [c, d]) = (head(1.0), head(-1.0));
+            let _ = write!(
+                path,
+                "M{:.0} {:.0}L{:.0} {:.0}l{a:.0} {b:.0}M{:.0} {:.0}l{c:.0} {d:.0}",
+                centre[0] - 0.5 * first,
+                centre[1] + 0.5 * second,
+                tip[0],
+                tip[1],
+                tip[0],
+                tip[1]
+            );
+        }
+    }
+    for (colour, width) in [("white", 34), ("black", 14)] {
+        let _ = write!(
+            svg,
+            "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"/>"
+        );
+    }
+}

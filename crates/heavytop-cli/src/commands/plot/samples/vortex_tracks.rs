@@ -1,0 +1,100 @@
+//! The tracks of vortices on the sphere: [`VortexTracks`].
+
+use super::sphere_map::SphereMap;
+use crate::commands::plot::run_arrays::RunArrays;
+use crate::errors::Error;
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write;
+
+/// The largest number of vortices whose tracks are drawn: those of more would hide each other.
+const MOST_VORTICES: usize = 48;
+
+/// The largest number of points of a track.
+const MOST_POINTS: usize = 4000;
+
+/// The latitudes and longitudes that vortices pass through, in radians.
+#[derive(Clone, Debug)]
+pub(super) struct VortexTracks {
+    /// The points of each vortex.
+    tracks: Vec<Vec<[f64; 2]>>,
+}
+
+impl VortexTracks {
+    /// Reads the tracks over a whole run; there are none of more than 48 vortices.
+    ///
+    /// # Errors
+    /// If the samples cannot be read.
+    pub fn read(run: &RunArrays, strengths: &[f64]) -> Result<Self, Error> {
+        let mut tracks = vec![Vec::new(); strengths.len()];
+        if strengths.len() <= MOST_VORTICES {
+            let (last, stride) = (run.times.len() - 1, run.times.len().div_ceil(MOST_POINTS));
+            run.each(&run.subject.parts(), |number, sample| {
+                if number.is_multiple_of(stride) || number == last {
+                    for (track, place) in tracks.iter_mut().zip(places(sample, strengths)) {
+                        track.push(place);
+                    }
+                }
+                Ok(true)
+            })?;
+        }
+        Ok(Self { tracks })
+    }
+
+    /// Returns the data of an SVG path for each vortex.
+    pub fn paths<'a>(&'a self, map: &'a SphereMap) -> impl Iterator<Item = String> + 'a {
+        self.tracks.iter().map(move |track| {
+            let mut path = String::new();
+            for (number, place) in track.iter().enumerate() {
+                let before = number.checked_sub(1).and_then(|before| track.get(before));
+                let edges = before.and_then(|before| edges(*before, *place));
+                if let Some([end, begin]) = edges {
+                    point(&mut path, 'L', map, end);
+                    point(&mut path, 'M', map, begin);
+                }
+                point(&mut path, if number == 0 { 'M' } else { 'L' }, map, *place);
+            }
+            path
+        })
+    }
+}
+
+/// Returns the latitude and the longitude of each vortex of a sample.
+pub(super) fn places(sample: &[f64], strengths: &[f64]) -> impl Iterator<Item = [f64; 2]> {
+    sample.as_chunks::<3>().0.iter().zip(strengths).map(|(vortex, strength)| {
+        let [x, y, z] = vortex.map(|component| component / strength);
+        [z.clamp(-1.0, 1.0).asin(), y.atan2(x)]
+    })
+}
+
+/// Returns the places on both edges of the map where a track leaves it and enters it again, if it does.
+fn edges([latitude, longitude]: [f64; 2], [next, end]: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+    if (end - longitude).abs() <= PI {
+        return None;
+    }
+    let edge = PI.copysign(longitude);
+    let part = (edge - longitude) / (end + TAU.copysign(longitude) - longitude);
+    let crossing = latitude + (next - latitude) * part;
+    Some([[crossing, edge], [crossing, -edge]])
+}
+
+fn point(path: &mut String, command: char, map: &SphereMap, [latitude, longitude]: [f64; 2]) {
+    let [x, y] = map.place(latitude, longitude);
+    // Writing to a string does not fail.
+    let _ = write!(path, "{command}{x:.0} {y:.0}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_track_that_leaves_the_map_comes_back_on_its_other_edge() {
+        assert_eq!(edges([0.1, 3.0], [0.2, 2.9]), None);
+        let found = edges([0.1, 3.0], [0.3, -3.0]);
+        assert!(found.is_some_and(|[[one, left], [other, right]]| {
+            (one - 0.2).abs() < 1e-12 && one == other && left == PI && right == -PI
+        }));
+        let back = edges([0.3, -3.0], [0.1, 3.0]);
+        assert!(back.is_some_and(|[[one, left], _]| (one - 0.2).abs() < 1e-12 && left == -PI));
+    }
+}

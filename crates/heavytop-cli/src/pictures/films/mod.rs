@@ -1,0 +1,4 @@
+//! Films: animated GIF.
+
+mod film_palette;
+pub(crate) mod film;
