@@ -34,24 +34,14 @@ impl Casimirs {
         self
     }
 
+    /// Adds the invariants of a summand.
     fn complete(&mut self, summand: &MatrixAlgebra, names: &Vocabulary) {
         let Some(duals) = summand.duals() else { return };
         let point = generic_point(names.coordinates().dimension());
         let own = point.get(summand.places()).unwrap_or_default();
         let zero = DMatrix::zeros(summand.size(), summand.size());
         let x = own.iter().zip(&duals).fold(zero, |sum, (mu, dual)| sum + dual * *mu);
-        let mut span = Span::default();
-        for (_, casimir) in &self.all {
-            let slopes = casimir.differential_at(&point);
-            let slopes =
-                DVector::from_column_slice(slopes.get(summand.places()).unwrap_or_default());
-            let size = slopes.norm();
-            if size > 0.0
-                && let Some(direction) = span.apart(slopes / size)
-            {
-                span.add(direction);
-            }
-        }
+        let mut span = self.span(summand, &point);
         let mut formulas = InvariantFormulas::new(summand, &duals, names);
         for invariant in Invariant::all(summand) {
             if self.missing == 0 {
@@ -66,6 +56,24 @@ impl Casimirs {
                 span.add(direction);
             }
         }
+    }
+
+    /// Returns the space of the differentials at a point with respect to the coordinates of a summand.
+    fn span(&self, summand: &MatrixAlgebra, point: &[f64]) -> Span {
+        let mut span = Span::default();
+        for (_, casimir) in &self.all {
+            let slopes = casimir.differential_at(point);
+            let own = slopes.get(summand.places()).unwrap_or_default();
+            let own = DVector::from_column_slice(own);
+            let size = own.norm();
+            // Those of other summands are zero.
+            if size > 0.0
+                && let Some(direction) = span.apart(own / size)
+            {
+                span.add(direction);
+            }
+        }
+        span
     }
 }
 
