@@ -293,6 +293,6 @@ fn values_that_make_no_system_are_refused() {
     );
     assert_eq!(start(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0]).unwrap(), [1.0, 0.0, 0.0, 0.0, 2.0, 0.0]);
     // Coordinates are no positions.
-    let coordinates = Parameters::new().vector("m_1", &[1.0, 0.0, 0.0]).unwrap();
+    let coordinates = Parameters::new().vector("m", &[1.0, 0.0, 0.0]).unwrap();
     assert!(vortices.coordinates(&parameters(&[("strengths", &[1.0])]), &coordinates).is_none());
 }

@@ -217,6 +217,11 @@ impl SystemAlgebra {
         Ok(Self::of_table(name, coordinates, table, Family::Other))
     }
 
+    /// Returns the algebra under a name for messages.
+    pub(crate) fn called(self, name: &str) -> Self {
+        Self { name: name.into(), ..self }
+    }
+
     fn of_table(
         name: String,
         coordinates: Coordinates,

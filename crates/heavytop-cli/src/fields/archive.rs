@@ -51,7 +51,8 @@ impl Archive {
         let archive = ZipArchive::new(BufReader::with_capacity(bytes, file));
         archive
             .map(|zip| Self { zip, length })
-            .map_err(|error| FieldFileError::Format(format!("it is no archive of arrays: {error}")))
+            // What the reader of the format says helps nobody.
+            .map_err(|_| FieldFileError::Format("it is no archive of arrays, a file .npz".into()))
     }
 
     /// Returns the names of the arrays.

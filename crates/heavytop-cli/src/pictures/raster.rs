@@ -16,7 +16,8 @@ pub(crate) fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let size = least.abs().max(most.abs());
     match size.is_finite() && size > 0.0 {
         true if most - least > 1e-9 * size => [least, most],
-        true => [least - 1e-9 * size, most + 1e-9 * size],
+        // A constant has a scale whose numbers show what it is.
+        true => [least - 1e-2 * size, most + 1e-2 * size],
         false => [-1.0, 1.0],
     }
 }

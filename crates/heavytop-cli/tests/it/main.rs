@@ -1,6 +1,7 @@
 //! The promises of the program `heavytop`, as a user runs it.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod arrays_and_pictures;
 mod commands;
 mod configuration;
 mod conversation;

@@ -36,7 +36,9 @@ class BodyInFluid(System):
 class EllipticalVortex(System):
     """Kida's elliptical patch of vorticity in a plane strain; coordinates mu.
 
-    A start is given by mu, or by the semi-axes and the angle: `{"a": 1.5, "b": 0.5, "angle": 0.3}`.
+    mu = ((a^2 - b^2) cos(2 phi)/2, (a^2 - b^2) sin(2 phi)/2, (a^2 + b^2)/2) with the semi-axes a and b, the first at the angle
+    phi to the x-axis, along which the strain stretches: its velocity is e (x, -y). The Casimir is a^2 b^2. A start is given by
+    mu, or by the semi-axes and the angle: `{"a": 1.5, "b": 0.5, "angle": 0.3}`. `ellipse` gives them of states.
 
     Args:
         strength: the vorticity times the product of the semi-axes, m^2/s.
@@ -46,13 +48,21 @@ class EllipticalVortex(System):
     Example:
         Without strain, an ellipse turns at Kirchhoff's rate w ab/(a + b)^2:
 
-        >>> run = EllipticalVortex(0.75).solve({"a": 1.5, "b": 0.5}, step=0.01, end=1)
-        >>> round(float(np.arctan2(run["mu2"], run["mu1"])[-1] / 2), 9)
-        0.1875
+        >>> vortex = EllipticalVortex(0.75)
+        >>> run = vortex.solve({"a": 1.5, "b": 0.5}, step=0.01, end=1)
+        >>> a, b, angle = vortex.ellipse(run.y)
+        >>> round(float(angle[-1]), 9), round(float(a[-1]), 9), round(float(b[-1]), 9)
+        (0.1875, 1.5, 0.5)
     """
 
     def __init__(self, strength: float, strain: float = 0.0, rotation: float = 0.0) -> None:
         super().__init__(kind="elliptical-vortex", parameters={"strength": strength, "strain": strain, "rotation": rotation})
+
+    def ellipse(self, y: ArrayLike) -> tuple[Floats, Floats, Floats]:
+        """Returns the semi-axes a and b, and the angle of the first, from -pi/2 to pi/2, at states of shape (3,) or (3, n)."""
+        mu1, mu2, mu3 = self._states("y", y)
+        across = np.hypot(mu1, mu2)
+        return np.sqrt(mu3 + across), np.sqrt(np.maximum(mu3 - across, 0)), np.arctan2(mu2, mu1) / 2
 
 
 class Gyrostat(System):
@@ -76,6 +86,10 @@ class Gyrostat(System):
 
 class RigidBody(System):
     """A free rigid body in n dimensions; coordinates L12, L13, ..., or Pi in three dimensions.
+
+    h = sum L_ij^2/(2 (J_i + J_j)) in the frame of the body, with the second moments J. L is the skew matrix of the angular
+    momentum with L_ij in row j and column i, Omega_ij = L_ij/(J_i + J_j), and dL/dt = [L, Omega]. In three dimensions Pi = (L23, -L13,
+    L12), with the moments of inertia J_2 + J_3 and so on.
 
     Args:
         moments: the second moments of the mass along each axis, kg m^2.

@@ -9,18 +9,22 @@ from numpy.typing import ArrayLike
 
 
 class Realisation(NamedTuple):
-    """What momenta J_a(z) = z.S_a z/2 on R^(2m) obey, with {q, p} = 1."""
+    """What momenta J_a(z) = z.S_a z/2 on R^(2m) obey, with {q, p} = 1.
+
+    Attributes:
+        bracket: the bracket for which they are a Poisson map: "plus" if {J_a, J_b} = sum_k c_abk J_k, "minus" for the negative.
+        defect: the largest deviation from these relations, relative to the size of the brackets.
+        rank: the rank of z -> J(z) at a generic point: the momenta reach an open part of the dual if it is the dimension.
+        odd_powers: how far the cubes of the matrices are from the space of these matrices, relative to their size.
+        descends: whether steps descend to the dual, so that they are Poisson maps and conserve all Casimirs to round-off. If
+            not, Casimirs that are not quadratic are conserved to the order of the scheme alone.
+    """
 
     bracket: str
-    """The bracket for which they are a Poisson map: "plus" if {J_a, J_b} = sum_k c_abk J_k, "minus" for the negative."""
     defect: float
-    """The largest deviation from these relations, relative to the size of the brackets."""
     rank: int
-    """The rank of z -> J(z) at a generic point: the momenta reach an open part of the dual if it is the dimension."""
     odd_powers: float
-    """How far the cubes of the matrices are from these matrices, relative to their size."""
     descends: bool
-    """Whether steps descend to the dual, so that they are Poisson maps and conserve all Casimirs to round-off."""
 
 
 def realisation(representation: Optional[ArrayLike], momenta: Optional[ArrayLike]) -> Optional[tuple[Any, bool]]:

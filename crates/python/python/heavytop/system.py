@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from typing import Any, Optional
 
 import numpy as np
@@ -48,7 +49,9 @@ class System(SystemDescription):
         bracket: "minus" or "plus".
         representation: matrices of shape (d, n, n), real or complex, of a representation of the algebra. The collective
             formulation then goes along the momenta J_a = p.rho_a q, and is the default.
-        momenta: instead of these, symmetric matrices S of shape (d, 2m, 2m) of the momenta J_a = z.S_a z/2, z = (q, p). Either
+        representations: matrices of shape (d, n, n), by name, of representations that the expression of the algebra names, as in
+            "so(3) |x V" or "so(3) |x (V^2 + W)"; V has the coordinates V1, V2, ...
+        momenta: instead of a representation, symmetric matrices S of shape (d, 2m, 2m) of the momenta J_a = z.S_a z/2, z = (q, p). Either
             sign of the matrices will do; `realisation` tells what they obey.
 
     Raises:
@@ -169,6 +172,7 @@ class System(SystemDescription):
         watched = self._watched(events)
         columns = self._system.follow(run.setting, end, whole("every", every, 1), watched)
         estimate = warn_of_accuracy(self._system, run.setting, run.steps(columns.times), 3)
+        self._warn_of_end(columns.states, 3)
         return self._solved(solution(columns, self.invariants, run, estimate, has_events=events is not None))
 
     def _solve_at(self, y0: State, t: ArrayLike, step: Any, end: Any, names: Any, others: tuple[int, Events]) -> Solution:
@@ -187,6 +191,7 @@ class System(SystemDescription):
         run = self._run(y0, step, names)
         states = self._system.states_at(run.setting, times.tolist())
         estimate = warn_of_accuracy(self._system, run.setting, run.steps(times), 4)
+        self._warn_of_end(states, 4)
         try:
             values = self.invariant_values(states.T)
         except ValueError as error:
@@ -234,6 +239,12 @@ class System(SystemDescription):
         warn_of_accuracy(self._system, run.setting, 0, 3)
         function = surface_source(surface, real("value", value), self._names, self._parameters)
         return crossings(self._system.follow(run.setting, end, NEVER, [(function, way, bound)]))
+
+    def _warn_of_end(self, states: Floats, stacklevel: int) -> None:
+        """Warns about invariants of which a run has used up the digits; the states are rows."""
+        warning = self._system.warning_of_end(states[0].tolist(), states[-1].tolist()) if len(states) else None
+        if warning is not None:
+            warnings.warn(warning, RuntimeWarning, stacklevel=stacklevel + 1)
 
     def _watched(self, events: Events) -> list[NativeEvent]:
         return native_events(events, self._names, self._parameters)

@@ -16,6 +16,7 @@ use core::sync::atomic::Ordering;
 use heavytop::methods::{Method, MethodError};
 use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemKind, Verdict};
 use lie_poisson_formulas::Vocabulary;
+use lie_poisson_runs::Model;
 use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::types::{PyAnyMethods, PyType};
@@ -192,6 +193,12 @@ impl System {
         self.system.invariants(&setting.0).map_err(refused)?;
         let (record, widths) = run.record(py, (end, every), &events, None)?;
         Recorded::new(py, record, widths)
+    }
+
+    /// Returns a warning about invariants of which a motion from a start to an end has used up the digits.
+    fn warning_of_end(&self, start: Vec<f64>, end: Vec<f64>) -> Option<String> {
+        let warning = Model::warning_of_end(&self.system, &start, &end)?;
+        Some(warning.trim_start_matches("warning: ").to_owned())
     }
 
     /// Measures how accurate a run of so many steps is: the angle of a step (rad), the estimated error, and a warning.

@@ -3,10 +3,12 @@
 use super::conserved::Conserved;
 use super::model::Model;
 use crate::error::RunFailure;
+use collective_integrators::diagnostics::{InvariantSize, SystemScales};
 use collective_integrators::{AnyIntegrator, AnyTangents};
 use core::ops::Range;
 use heavytop::methods::Method;
 use lie_poisson_formula_systems::FormulaSystem;
+use lie_poisson_formula_systems::lie_poisson_formulas::Formula;
 
 /// h and the Casimirs, c1, c2, …, are conserved.
 impl Model for FormulaSystem {
@@ -43,6 +45,29 @@ impl Model for FormulaSystem {
         Ok(self.descends(method, start)?)
     }
 
+    fn warning_of_end(&self, start: &[f64], end: &[f64]) -> Option<String> {
+        let formulas = core::iter::once(self.hamiltonian()).chain(self.casimirs());
+        let size = |formula: &Formula, state: &[f64]| {
+            let mut size = InvariantSize::new(self.blocks());
+            size.include(state, &formula.differential_at(state));
+            size.size()
+        };
+        let names = Invariants(self).names();
+        let lost = names.iter().zip(formulas).find_map(|(name, formula)| {
+            let (value, [before, after]) =
+                (formula.value_at(start).abs(), [start, end].map(|state| size(formula, state)));
+            let rounding = f64::EPSILON * after;
+            let is_lost = rounding > MOST_ROUNDING * value && after > GROWN * before;
+            (is_lost && value > 0.0).then_some((name, value, after, rounding))
+        });
+        lost.map(|(name, value, size, rounding)| {
+            format!(
+                "warning: {name}, of size {value:.1e}, is at the end a difference of terms of {size:.0e}, and rounding \
+                 alone changes it by {rounding:.0e}: what depends on it is not right there; end the run earlier"
+            )
+        })
+    }
+
     fn warning(&self, method: &Method, start: &[f64]) -> Result<Option<String>, RunFailure> {
         Ok((!self.descends(method, start)?).then(|| {
             format!(
@@ -55,6 +80,13 @@ impl Model for FormulaSystem {
         }))
     }
 }
+
+/// The rounding error of a conserved quantity, relative to its value, from which on users are warned.
+const MOST_ROUNDING: f64 = 1e-4;
+
+/// The factor by which the terms of a conserved quantity must have grown. What is small from the start on, as Π·Γ may be, has
+/// not lost its digits along the motion.
+const GROWN: f64 = 1e4;
 
 /// The Hamiltonian and the Casimirs of a system.
 struct Invariants<'a>(&'a FormulaSystem);

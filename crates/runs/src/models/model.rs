@@ -136,6 +136,12 @@ pub trait Model: SystemScales + fmt::Debug + Send + Sync {
             )
         }))
     }
+
+    /// Returns a warning for users about conserved quantities whose digits a motion has used up: at its end they are small
+    /// differences of large terms, although they were none at the start.
+    fn warning_of_end(&self, _start: &[f64], _end: &[f64]) -> Option<String> {
+        None
+    }
 }
 
 impl dyn Model + '_ {

@@ -292,7 +292,7 @@ fn what_does_not_fit_is_refused_with_what_is_needed() {
             "there is no tillt; did you mean tilt?",
         ),
         ("vortices", &strengths, none(), "positions must be given, or m"),
-        ("sphere-fluid", &fluid, none(), "coefficients must be given, or degrees"),
+        ("sphere-fluid", &fluid, none(), "coefficients must be given, or vorticity"),
         ("sphere-fluid", &fluid, none().list("coefficients", vec![1.0; 3]), "rows of four numbers"),
         (
             "sphere-fluid",

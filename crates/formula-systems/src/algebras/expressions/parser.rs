@@ -195,7 +195,10 @@ impl<'a> Parser<'a> {
 
     /// Returns the space after `⋉`, and how many copies of it there are.
     fn vectors(&mut self) -> Result<(Space, usize), FormulaSystemError> {
-        let needed = "a space of vectors, such as R3 or C2, or a representation that is given,";
+        let needed = match self.given.is_empty() {
+            true => "a space of vectors, such as R3 or C2,",
+            false => "a space of vectors, such as R3 or C2, or a representation that is given,",
+        };
         if self.peek() != Some(&Token::Open) {
             let Some(space) = self.peek().and_then(word).and_then(space) else {
                 return Err(self.expected(needed));

@@ -10,7 +10,7 @@ use crate::catalogue::system_kind::{Description, Given, KindError, Sign, SystemK
 /// h = Σ_(i<j) L_ij²/(2(J_i + J_j)),    dL/dt = [L, Ω],    L_ij = (J_i + J_j) Ω_ij
 /// ```
 ///
-/// The algebra is so(n); in three dimensions Π = (L₂₃, −L₁₃, L₁₂) and I₁ = J₂ + J₃.
+/// L has L_ij, i < j, in row j and column i, as the rotation from the i-th to the j-th axis. The algebra is so(n); in three dimensions Π = (L₂₃, −L₁₃, L₁₂) and I₁ = J₂ + J₃.
 ///
 /// Source: S. V. Manakov, Funct. Anal. Appl. 10 (1976); T. Ratiu, Indiana Univ. Math. J. 29 (1980).
 pub(in crate::catalogue) const RIGID_BODY: SystemKind = SystemKind {

@@ -44,12 +44,17 @@ pub(in crate::catalogue) const ELLIPTICAL_VORTEX: SystemKind = SystemKind {
 };
 
 fn describe(given: &Given<'_>) -> Result<Description, KindError> {
+    let strength = given.number("strength");
+    if strength == 0.0 {
+        return Err(KindError::Value("strength", "other than 0, got 0".into()));
+    }
     let coordinates = Coordinates::new().vector("mu", 3)?;
     let brackets = [("mu1, mu2", "-mu3"), ("mu2, mu3", "mu1"), ("mu3, mu1", "mu2")];
     let hamiltonian =
         "strength*ln(2*mu3 + 2*sqrt(mu3^2 - mu1^2 - mu2^2)) + 2*rotation*mu3 - 2*strain*mu2";
     Ok(Description {
-        algebra: SystemAlgebra::of_brackets(coordinates, brackets, &Parameters::new())?,
+        algebra: SystemAlgebra::of_brackets(coordinates, brackets, &Parameters::new())?
+            .called("so(2,1)"),
         hamiltonian: hamiltonian.into(),
         parameters: given.parameters(&["strength", "strain", "rotation"])?,
         has_plus_bracket: true,

@@ -21,9 +21,9 @@ impl fmt::Display for PlotSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { out, time, frames } = self;
         match frames {
-            Some(1) => writeln!(to, "1 frame at t = {time} s in {}", shown(out)),
-            Some(frames) => writeln!(to, "{frames} frames up to t = {time} s in {}", shown(out)),
-            None => writeln!(to, "t = {time} s in {}", shown(out)),
+            Some(1) => write!(to, "1 frame at t = {time} s in {}", shown(out)),
+            Some(frames) => write!(to, "{frames} frames up to t = {time} s in {}", shown(out)),
+            None => write!(to, "t = {time} s in {}", shown(out)),
         }
     }
 }

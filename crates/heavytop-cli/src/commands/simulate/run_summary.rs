@@ -150,7 +150,13 @@ fn last(run: &Experiment, row: &[f64]) -> Map<String, Value> {
 
 /// Writes the names of the invariants with their deviations.
 fn write_deviations(to: &mut fmt::Formatter<'_>, deviations: &Map<String, Value>) -> fmt::Result {
-    for (number, (symbol, deviation)) in deviations.iter().enumerate() {
+    let mut deviations: Vec<_> = deviations.iter().collect();
+    // c2 stands before c10.
+    deviations.sort_by_key(|(symbol, _)| {
+        let digits = symbol.trim_start_matches(|c: char| !c.is_ascii_digit());
+        (symbol.trim_end_matches(digits), digits.parse::<u64>().unwrap_or(0))
+    });
+    for (number, (symbol, deviation)) in deviations.into_iter().enumerate() {
         let comma = if number == 0 { "" } else { "," };
         write!(to, "{comma} {symbol} {:.1e}", deviation.as_f64().unwrap_or(f64::NAN))?;
     }

@@ -86,6 +86,8 @@ pub fn simulate(
     });
     drop(progress);
     recording.conclude(outcome)?;
+    let end = last.get(1..=dimension).unwrap_or_default();
+    run.model.warning_of_end(&run.start, end).into_iter().for_each(warn);
     let check = || RunCheck::of(run.compared(&|| options.going())?, &run.method);
     let check = options.check.then(check).transpose()?;
     let summary = RunSummary::new(out.into(), run, &last, &deviations, &table);

@@ -1,5 +1,6 @@
 //! The summary of a sweep, which `heavytop sweep` prints.
 
+use super::heat_maps;
 use super::measured_row::Row;
 use super::sweep_plan::Plan;
 use crate::vocabulary::brief::number;
@@ -39,6 +40,9 @@ pub struct SweepSummary {
     /// The word for the runs.
     #[serde(skip)]
     nouns: &'static str,
+    /// Whether there are heat maps.
+    #[serde(skip)]
+    has_maps: bool,
 }
 
 impl SweepSummary {
@@ -60,6 +64,7 @@ impl SweepSummary {
             failed: 0,
             first_failure: None,
             nouns: plan.nouns(),
+            has_maps: heat_maps::size(plan).is_some(),
         }
     }
 
@@ -86,6 +91,7 @@ impl fmt::Display for SweepSummary {
         if let Some(reason) = &self.first_failure {
             writeln!(f, "{failed} failed, see the column failure; the first: {reason}")?;
         }
-        write!(f, "table and heat maps are in {}", out.display())
+        let what = if self.has_maps { "table and heat maps are" } else { "the table is" };
+        write!(f, "{what} in {}", out.display())
     }
 }

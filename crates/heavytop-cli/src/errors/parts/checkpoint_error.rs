@@ -9,7 +9,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum CheckpointError {
     /// The checkpoint could not be read.
-    #[error(transparent)]
+    #[error("{}", read_problem(.0))]
     Read(io::Error),
     /// The file is not a checkpoint, or not a whole one.
     #[error("it is damaged, or no checkpoint: {0}")]
@@ -80,5 +80,15 @@ impl CheckpointError {
             Self::Read(_) | Self::NoCheckpoint { .. } | Self::Format { .. } => false,
             _ => true,
         }
+    }
+}
+
+/// Returns what is wrong with a checkpoint that cannot be read.
+fn read_problem(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => {
+            "there is none: the run has ended, or was killed before its first checkpoint; to begin anew, leave out --resume".into()
+        }
+        _ => error.to_string(),
     }
 }

@@ -284,3 +284,27 @@ fn a_realisation_of_ones_own_makes_the_collective_steps() {
         assert!(run.stderr().contains("wrong.toml, line "), "{}", run.stderr());
     }
 }
+
+/// An ellipse that a strain stretches without end: its area is the difference of squares that grow exponentially.
+#[test]
+fn a_run_that_has_used_up_its_digits_says_so() {
+    let folder = Folder::new();
+    let text = "[system]\nkind = 'elliptical-vortex'\nparameters = { strength = 2, strain = 0.4, rotation = 0.05 }\n\
+                initial = { a = 2, b = 1, angle = 0.3 }\n[integrator]\nstep = 0.05\n";
+    folder.write("a.toml", text);
+    let run = |end: &str| {
+        let set = format!("integrator.end={end}");
+        let run =
+            folder.heavytop(&["simulate", "a.toml", "--out", "a.csv", "--force", "--set", &set]);
+        assert_eq!(run.code(), 0, "{}", run.stderr());
+        let rows = numbers(&folder.read("a.csv")).1;
+        let area = (rows.last().unwrap()[5] - rows[0][5]).abs() / rows[0][5].abs();
+        (run.stderr(), area)
+    };
+    // At t = 5 the area is right, and nothing is said; at t = 19 it is not.
+    let (said, area) = run("5");
+    assert!(area < 1e-9 && !said.contains("warning"), "{said} {area}");
+    let (said, area) = run("19");
+    assert!(said.contains("c1, of size 4.0e0, is at the end a difference of terms of "), "{said}");
+    assert!(area > 1e-6, "{area}");
+}

@@ -27,7 +27,10 @@ fn what_a_run_cannot_go_on_from_is_refused_and_left_as_it_is() {
              20000.0 against 2000.0; [integrator] scheme: \"gauss-4\" against \"gauss-6\"",
         ),
         (&["--preset", "euler", "--resume", "a.csv.checkpoint"], "[body] inertia: "),
-        (&["--resume", "missing"], "cannot go on from missing: No such file"),
+        (
+            &["--resume", "missing"],
+            "cannot go on from missing: there is none: the run has ended, or was killed before",
+        ),
         (&["--resume", "empty"], "damaged, or no checkpoint: it ends early"),
         (&["--resume", "a.csv.partial"], "damaged, or no checkpoint: it has no title"),
         (&["--resume", "damaged"], "its checksum is not that of its contents"),

@@ -1,6 +1,6 @@
 //! The vorticity of a fluid at a start.
 
-use super::sphere_fluid_arrays::SphereFluid;
+use super::sphere_fluid::SphereFluid;
 use crate::arrays::any_arrays::Started;
 use crate::arrays::arguments::{Given, whole};
 use crate::arrays::directions::Directions;

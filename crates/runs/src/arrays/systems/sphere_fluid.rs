@@ -2,7 +2,7 @@
 
 use crate::arrays::any_arrays::Made;
 use crate::arrays::arguments::Given;
-use crate::arrays::fluids::sphere_fluid_arrays::SphereFluid;
+use crate::arrays::fluids::sphere_fluid::SphereFluid;
 use lie_poisson_formula_systems::Parameter;
 use lie_poisson_systems::Zeitlin;
 

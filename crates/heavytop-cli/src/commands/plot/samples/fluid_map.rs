@@ -66,7 +66,8 @@ impl SamplePicture for FluidMap<'_> {
 
     fn draw(&self, sample: &[f64], time: f64) -> Result<String, Error> {
         let most = (MOST * self.mean_square.sqrt()).max(f64::MIN_POSITIVE);
-        let scale = Scale::linear(&Axis::new(-most, most, 6), "vorticity (1/s)", false);
+        let scale =
+            Scale::linear(&Axis::new(-most, most, 6), "vorticity (1/s), colours to 3 × rms", false);
         let size = self.run.subject.state().1.first().copied().unwrap_or(0);
         let caption = self.run.caption(format!("N = {size}, t = {} s", number(time)));
         let map = SphereMap::new(&caption, Some(scale));
