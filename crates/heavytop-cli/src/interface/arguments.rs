@@ -202,6 +202,9 @@ pub(super) enum Command {
         /// A top by name; without it the paper's Kovalevskaya top.
         #[arg(long)]
         preset: Option<Preset>,
+        /// A system by its name, such as spin-lattice, instead of a top.
+        #[arg(long, value_name = "NAME", conflicts_with = "preset")]
+        kind: Option<String>,
     },
     /// Print the manual page of the program, or of a command.
     #[command(after_long_help = MAN_EXAMPLES)]

@@ -25,17 +25,29 @@ fn texts() -> impl Iterator<Item = String> {
 /// # Errors
 /// If the file exists and has been edited, unless it is replaced by force; or it cannot be written.
 pub(super) fn init(preset: Option<Preset>, file: Option<&Path>, force: bool) -> Result<(), Error> {
-    let text = commented(&preset.map_or_else(Config::default, Preset::config));
+    write_new(&commented(&preset.map_or_else(Config::default, Preset::config)), &KIND, file, force)
+}
+
+/// Writes a configuration of a kind into a file, or to stdout.
+///
+/// # Errors
+/// If the file exists and is no such configuration, unless it is replaced by force; or it cannot be written.
+pub(super) fn write_new(
+    text: &str,
+    kind: &Kind<'_>,
+    file: Option<&Path>,
+    force: bool,
+) -> Result<(), Error> {
     let place = file.map(Place::of).transpose()?.filter(|place| !place.is_standard_output());
     let (Some(path), Some(place)) = (file, place) else {
         return to_stdout(io::stdout().lock().write_all(text.as_bytes()));
     };
-    Safeguard::new(Vec::new(), force).require(path, &KIND)?;
+    Safeguard::new(Vec::new(), force).require(path, kind)?;
     let is_there = place.path.exists();
     let mut output = Output::create(path)?;
     output.write(|to| to.write_all(text.as_bytes()))?;
     // Another one that appears at this moment is not replaced.
-    if is_there { output.complete() } else { output.complete_new(&KIND) }
+    if is_there { output.complete() } else { output.complete_new(kind) }
 }
 
 /// Returns the configuration as TOML with comments.

@@ -7,6 +7,7 @@ mod standard_output;
 mod suggested_command;
 mod confirmation;
 mod first_configuration;
+mod first_system;
 mod manual;
 mod program;
 

@@ -3,6 +3,7 @@
 use super::arguments::{Arguments, Command, Parts, Replacing, Top};
 use super::confirmation::confirm;
 use super::first_configuration::init;
+use super::first_system::init_system;
 use super::manual::man;
 use super::signals::interrupted;
 use super::standard_output::{print, print_fitted, print_help, print_line, to_stdout};
@@ -145,7 +146,10 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
                 closing.note(&notes);
                 Ok(())
             }),
-        Command::Init { file, preset, replacing } => init(preset, file.as_deref(), replacing.force),
+        Command::Init { file, preset, kind, replacing } => match kind {
+            Some(kind) => init_system(&kind, file.as_deref(), replacing.force),
+            None => init(preset, file.as_deref(), replacing.force),
+        },
         Command::Man { command } => man(command.as_deref()),
         Command::Completions { shell } => completions(shell),
     }

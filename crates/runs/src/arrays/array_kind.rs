@@ -58,7 +58,7 @@ impl ArrayKind {
         },
         Self {
             name: spin_lattice::NAME,
-            about: "classical spins on a periodic lattice of one to three dimensions",
+            about: "classical spins on a lattice of one to three dimensions",
             parameters: spin_lattice::PARAMETERS,
             start: spin_lattice::START,
             make: spin_lattice::make,

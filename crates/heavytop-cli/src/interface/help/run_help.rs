@@ -170,34 +170,40 @@ Another Lie–Poisson system instead of a top, by its algebra and a formula:
 Kinds, and their parameters (* if they may be left out):
   body-in-fluid       inertia, masses, coupling*; coordinates Pi, P
   body-with-rotors    I, J; coordinates Pi, l
-  elliptical-vortex   strength, strain*, rotation*; initial mu, or a, b, angle*
+  elliptical-vortex   strength, strain*, rotation*; initial a, b, angle*, or mu, of which
+                      mu3 +- |(mu1, mu2)| = a^2, b^2, and (mu1, mu2) has twice the angle
   gyrostat            inertia, weight, center_of_mass, rotor; coordinates Pi, Gamma
   rigid-body          moments, of the mass along each of n axes; coordinates Pi, or L12, L13, ...
   spin-chain          spins, exchange, anisotropy*, field*, periodic*; coordinates S_1, S_2, ...
   top-on-base         inertia, mass, base_mass, gravity, center_of_mass; coordinates Pi, P, Gamma
   vortices            strengths; initial positions on the unit sphere, or m_1, m_2, ...
-A kind without parameters is refused with their meaning and units.
+A kind without parameters is refused with their meaning and units, and heavytop init --kind NAME
+writes a configuration to begin with.
 
-Systems of arrays, of any size, which only simulate runs; * as above. FILE.npz has one array a
-quantity, and heavytop plot draws it, heavytop export writes it for ParaView and OOMMF:
-  spin-lattice        shape of one to three axes, exchange*, bonds*, anisotropy*, axis*, field*;
-                      array S of shape (..., 3); initial S, or direction*, waves*, cone*, tilt*,
-                      seed*
-  vibrating-lattice   atoms, exchange, mass*, stiffness*, coupling*; arrays S, q, p; initial as for
-                      spin-lattice, and q*, p*
-  sphere-fluid        size, rotation*; omega of shape (N, N), Re of (l, m) at [l, m], Im at
-                      [m-1, l];
-                      initial coefficients, rows [l, m, re, im], or degrees, rms*, seed*
-  vortices            more than 48 strengths; m of shape (N, 3); initial positions, or seed*
-initial_file = \"FILE.npz\" instead of initial starts from the last sample of an archive, from an OVF
-file, or from arrays that NumPy has saved. The default is collective, for fluids reduced; reduced
-with the scheme spherical-midpoint is the fastest for large lattices.
+Systems of arrays, of any size, which simulate and sweep follow; * as above. FILE.npz has one array
+a quantity, and heavytop plot draws it, heavytop export writes it for ParaView and OOMMF:
+  spin-lattice        shape of one to three axes, exchange* (0), bonds*, periodic* (1; 0 for open
+                      ends), anisotropy* (0), axis*, field* (0); array S of shape (..., 3);
+                      initial S, or direction* (0, 0, 1), waves* with a cone, tilt* (0), seed* (0)
+  vibrating-lattice   atoms, exchange, mass* (1), stiffness* (1), coupling* (0); arrays S, q, p;
+                      initial as for spin-lattice, and q*, p* (0)
+  sphere-fluid        size, rotation* (0); omega of shape (N, N), Re of (l, m) at [l, m], Im at
+                      [m-1, l]; initial coefficients, rows [l, m, re, im], or degrees, rms* (1),
+                      seed* (0), or vorticity, rows of a grid
+  vortices            more than 48 strengths; m of shape (N, 3); initial positions, or seed
+initial_file = \"FILE.npz\" instead of initial starts from the last sample of an archive, or from a
+file .npy, .ovf or .vti. The default is collective, for fluids reduced; reduced with the scheme
+spherical-midpoint is the fastest for large periodic lattices. In CSV, S_34_2 is the second
+component of the 34th spin, the last axis running fastest.
 
 Algebras, of up to 256 dimensions, with their coordinates: so(3) Pi; su(2), su(n) mu; sl(2) alpha,
 beta, gamma; se(2) Pi, Gamma of two components; se(3) Pi, Gamma; se(3)+R3 Pi, P, Gamma, as of a
 body in two fields; so(n), so(p,q) L12, L13, ...; sl(n,R), gl(n) M11, ...; sp(2n,R) Q11, R11, P11,
 ...; heisenberg(n) q, p, z; galilei, bargmann, poincare(1,n) J, K, P, H; R3 p. Sums a + b, powers
-a^4, and semidirect products a |x R3 or a ⋉ (R3 + R3) with vectors Gamma.
+a^4, and semidirect products a |x R3 or a ⋉ (R3 + R3) with vectors Gamma; a |x V with a
+representation of your own, [system.representations] V = [matrices, one for each coordinate of a].
+representation = [matrices] of the algebra itself, or momenta = [symmetric matrices], gives the
+collective steps a realisation of your own.
 The columns are t, the coordinates, h and the Casimirs c1, c2, ..., which are found: polynomials
 of low degree, named in the summary and in the metadata. Those of so(n), so(p,q), su(n), sl(n,R),
 gl(n) and sp(2n,R) of higher degree are tr X^k, tr J X^k (J: the product with i) and Pf X of the

@@ -87,3 +87,25 @@ fn manual_pages_are_pages() {
         wrong.stderr().contains("there is no command `levitate`; there are reproduce, simulate")
     );
 }
+
+/// A system by name, from its template to a picture.
+#[test]
+fn a_system_begins_with_its_configuration() {
+    let folder = Folder::new();
+    for kind in ["spin-lattice", "gyrostat"] {
+        let done = |arguments: &[&str]| {
+            let run = folder.heavytop(arguments);
+            assert_eq!(run.code(), 0, "{}", run.stderr());
+        };
+        done(&["init", "--kind", kind, "a.toml", "--force"]);
+        done(&["simulate", "a.toml", "--out", "a.npz", "--force", "--set", "integrator.end=1"]);
+        done(&["plot", "a.npz", "--out", "a.png"]);
+        // It is replaced as long as nobody has edited it.
+        done(&["init", "--kind", kind, "a.toml"]);
+        folder.write("a.toml", &(folder.read("a.toml") + "# mine\n"));
+        let refused = folder.heavytop(&["init", "--kind", kind, "a.toml"]);
+        assert!(refused.code() == 2 && refused.stderr().contains("a.toml"), "{}", refused.stderr());
+    }
+    let run = folder.heavytop(&["init", "--kind", "vortex"]);
+    assert!(run.code() == 2 && run.stderr().contains("there is no system vortex; there are"));
+}

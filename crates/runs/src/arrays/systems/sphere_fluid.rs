@@ -22,7 +22,7 @@ pub(in crate::arrays) const START: &[Parameter] = &[
     Parameter::list("omega", "all coefficients as in the output, instead").or(&[]),
     Parameter::list(
         "vorticity",
-        "values on a grid, instead: row by row from the north, r rows at the colatitudes pi (i + 1/2)/r and 2r longitudes",
+        "values on a grid, instead: r rows from the north, at pi (i + 1/2)/r, of 2r longitudes",
     )
     .or(&[]),
     Parameter::list("degrees", "the least and the largest degree of a random vorticity, instead")
