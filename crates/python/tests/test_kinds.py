@@ -189,3 +189,44 @@ def test_the_program_computes_the_same_bytes(program, tmp_path, kind, parameters
     d = run.y.shape[0]
     assert (table_of_program[:, 1 : d + 1] == run.y.T).all()
     assert (table_of_program[:, d + 1 :] == np.stack(list(run.invariants.values()), axis=1)).all()
+
+
+def test_a_semidirect_product_with_a_representation_of_ones_own():
+    """Vectors of R^3 by their matrices are R3; the spinors of su(2) are C2, whose numbers x + iy are pairs."""
+    hats = np.zeros((3, 3, 3))
+    for i in range(3):
+        hats[i][(i + 2) % 3, (i + 1) % 3], hats[i][(i + 1) % 3, (i + 2) % 3] = 1, -1
+    text = "|Pi|^2/2 + Pi1^2 + {0}1 + 0.3*{0}2^2"
+    own = System("so(3) |x V", text.format("V"), representations={"V": hats})
+    named = System("so(3) |x R3", text.format("Gamma"))
+    start = [0.3, -0.2, 1, 0.6, 0, 0.8]
+    assert own.coordinates[3:] == ("V1", "V2", "V3")
+    assert np.abs(own.rate(start) - named.rate(start)).max() < 1e-15
+    many = System("so(3) |x (V^2 + W)", "Pi1*W2 + V_2_3", representations={"V": hats, "W": hats})
+    three = System("so(3) |x R3^3", "Pi1*Gamma_3_2 + Gamma_2_3")
+    y = np.random.default_rng(3).normal(size=12)
+    assert np.abs(many.rate(y) - three.rate(y)).max() < 1e-15 and np.abs(many.rate(y)).max() > 0.1
+    pauli = np.array([[[0, 1], [1, 0]], [[0, -1j], [1j, 0]], [[1, 0], [0, -1]]])
+    spinors = System("su(2) |x Z", "mu1 + Z1^2", representations={"Z": -0.5j * pauli})
+    assert spinors.dimension == 7 and "|Z|^2" in spinors.casimirs.values()
+    assert pickle.loads(pickle.dumps(own)).coordinates == own.coordinates
+    with pytest.raises(ValueError, match="V is no representation: the commutator of the matrices of Pi1 and Pi2 differs"):
+        System("so(3) |x V", "V1", representations={"V": 2 * hats})
+    with pytest.raises(ValueError, match="V is no representation: it has 2 matrices, and the algebra before it 3"):
+        System("so(3) |x V", "V1", representations={"V": hats[:2]})
+    with pytest.raises(ValueError, match=r"representations\['V'\] must have the shape"):
+        System("so(3) |x V", "V1", representations={"V": np.ones((3, 2, 3))})
+    with pytest.raises(ValueError, match="such as R3 or C2, or a representation that is given"):
+        System("so(3) |x W", "V1", representations={"V": hats})
+
+
+def test_a_run_that_has_used_up_its_digits_says_so():
+    vortex = heavytop.EllipticalVortex(2.0, 0.4, 0.05)
+    start = {"a": 2, "b": 1, "angle": 0.3}
+    with pytest.warns(RuntimeWarning, match="c1, of size 4.0e0, is at the end a difference"):
+        vortex.solve(start, step=0.05, end=19)
+    run = vortex.solve(start, step=0.05, end=5)
+    a, b, angle = vortex.ellipse(run.y)
+    assert np.abs(a * b - 2).max() < 1e-9 and a[0] == pytest.approx(2) and angle[0] == pytest.approx(0.3)
+    with pytest.raises(ValueError, match="strength must be other than 0"):
+        heavytop.EllipticalVortex(0)

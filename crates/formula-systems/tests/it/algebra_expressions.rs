@@ -7,7 +7,9 @@ use lie_poisson::{
 };
 use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemAlgebra};
 use lie_poisson_formulas::{NamedAlgebra, Parameters, StructureEntry};
+use nalgebra::DMatrix;
 use proptest::prelude::*;
+use std::collections::BTreeMap;
 
 fn named(text: &str) -> SystemAlgebra {
     SystemAlgebra::named(text).unwrap()
@@ -255,4 +257,56 @@ proptest! {
             prop_assert!(free.is_ok());
         }
     }
+}
+
+/// A semidirect product with vectors by their matrices is that with R3, and one with tensors has their invariants.
+#[test]
+fn representations_of_ones_own_make_semidirect_products() {
+    let vectors: Vec<DMatrix<f64>> = (0..3)
+        .map(|i| {
+            DMatrix::from_fn(3, 3, |r, c| match (r, c) {
+                _ if r == (i + 2) % 3 && c == (i + 1) % 3 => 1.0,
+                _ if r == (i + 1) % 3 && c == (i + 2) % 3 => -1.0,
+                _ => 0.0,
+            })
+        })
+        .collect();
+    // Symmetric tensors T with the coordinates T11, T22, T33, T23, T31, T12: ξ acts by [ξ, T].
+    let places = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
+    let tensor = |k: usize| {
+        let (r, c) = places[k];
+        let mut t = DMatrix::zeros(3, 3);
+        (t[(r, c)], t[(c, r)]) = (1.0, 1.0);
+        t
+    };
+    let action = |xi: &DMatrix<f64>| {
+        let columns = (0..6).map(|k| xi * tensor(k) - tensor(k) * xi);
+        let columns: Vec<DMatrix<f64>> = columns.collect();
+        DMatrix::from_fn(6, 6, |r, k| columns[k][places[r]])
+    };
+    let tensors: Vec<DMatrix<f64>> = vectors.iter().map(action).collect();
+    let given = BTreeMap::from([("V".to_owned(), vectors), ("T".to_owned(), tensors)]);
+    let with = |text: &str| SystemAlgebra::named_with(text, &given);
+    let [own, named] = [with("so(3) ⋉ V").unwrap(), SystemAlgebra::named("so(3) ⋉ R3").unwrap()];
+    assert_eq!(own.entries(), named.entries());
+    let twice = with("so(3) ⋉ (V^2)").unwrap();
+    assert_eq!(twice.entries(), SystemAlgebra::named("so(3) ⋉ R3^2").unwrap().entries());
+    // Of nine dimensions, orbits have six: the tensor has three invariants, tr T, tr T² and tr T³.
+    let field = FormulaSystem::new(with("so(3) ⋉ T").unwrap(), "Pi1^2 + T1", &Parameters::new());
+    let field = field.unwrap().with_found_casimirs().unwrap();
+    assert_eq!((field.casimir_degrees(), field.missing_casimirs()), (&[1, 2, 3][..], Some(0)));
+    // What is no representation is refused: one of another algebra, and one that is scaled.
+    let error = |text: &str| with(text).unwrap_err().to_string();
+    assert_eq!(
+        error("so(2) ⋉ V"),
+        "V is no representation: it has 3 matrices, and the algebra before it 1"
+    );
+    assert!(
+        error("sl(2) ⋉ V").starts_with(
+            "V is no representation: the commutator of the matrices of alpha and beta"
+        )
+    );
+    assert!(error("so(3) ⋉ (V + R3)").ends_with("a representation that is given must stand here"));
+    assert!(error("so(3) ⋉ (V").contains("column"));
+    assert!(error("so(3) ⋉ V^100").contains("1 to 256 coordinates"));
 }

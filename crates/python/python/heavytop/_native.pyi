@@ -81,6 +81,7 @@ AlgebraSource = Union[
     str,
     tuple[str],
     tuple[str, list[str]],
+    tuple[str, list[str], list[tuple[str, list[list[list[float]]]]]],
     tuple[list[str], list[tuple[str, str]]],
     tuple[Union[str, list[str]], list[tuple[int, int, int, float]], int],
 ]

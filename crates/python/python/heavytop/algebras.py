@@ -49,8 +49,8 @@ def algebra_source(algebra: Algebra) -> AlgebraSource:
         own = algebra.coordinates
         symbols = [str(symbol) for symbol in ([own] if isinstance(own, str) else own or [])]
         if algebra.representations:
-            given = [(str(name), real_matrices(f"representations[{name!r}]", rho)) for name, rho in algebra.representations.items()]
-            return algebra.name, symbols, given
+            matrices = [(str(name), real_matrices(f"representations[{name!r}]", rho)) for name, rho in algebra.representations.items()]
+            return algebra.name, symbols, matrices
         return (algebra.name, symbols) if own is not None else algebra.name
     if algebra.representations is not None:
         raise ValueError("representations are those that the text of an algebra names")
