@@ -19,12 +19,13 @@
 //! ```
 
 use collective_integrators::{
-    Collective, HamiltonianField, RungeKutta, SphericalMidpoint, Start, from_fn,
+    AnyState, Collective, HamiltonianField, RungeKutta, SphericalMidpoint, Start, from_fn,
 };
 use core::f64::consts::PI;
 use lie_poisson::{
     Automatic, Covector, Energy, Hamiltonian, LiePoisson, Power, PowerAlgebra, Real, So3, larger,
 };
+use lie_poisson_runs::{Arguments, ArrayKind, Model};
 use lie_poisson_systems::{HeisenbergChain, PointVortices, SpinSpace, Spins};
 use momentum_map::{PowerMap, QuadraticMomentumMap, Side, So3OnC2};
 use nalgebra::Vector3;
@@ -132,6 +133,40 @@ fn the_point_vortices_of_spinsys() {
     let still = from_fn(|m: &Spins<4>| m.0.0.map(|m| m * 0.0).into_covector());
     let still = SphericalMidpoint::new(still);
     assert!(differences(&still, &start, 0.05, &VORTICES, |m| vortices.positions(m)) > 0.1);
+}
+
+/// The same numbers by the models of the program and of Python, under the name of the scheme.
+#[test]
+fn the_doors_make_the_steps_of_spinsys() {
+    let start = points().map(|x| [x.x, x.y, x.z]).concat();
+    let door =
+        |kind: &str, parameters: Arguments, step: f64, oracle: &[[f64; 12]; 2], scale: &[f64]| {
+            let model = ArrayKind::named(kind).unwrap().system(&parameters).unwrap();
+            let method = model.method(
+                Some("reduced".parse().unwrap()),
+                "spherical-midpoint".parse().unwrap(),
+                0.0,
+            );
+            let given: Vec<f64> = start.iter().enumerate().map(|(i, x)| x * scale[i / 3]).collect();
+            let integrator = model.integrator(&method.unwrap(), &given).unwrap();
+            let mut worst = 0.0;
+            for (steps, expected) in [25, 50].into_iter().zip(oracle) {
+                let end =
+                    integrator.after(&AnyState::from_slice(&given), step, steps).unwrap().momentum;
+                for (i, (x, expected)) in end.as_slice().iter().zip(expected).enumerate() {
+                    worst = larger(worst, (x / scale[i / 3] - expected).abs());
+                }
+            }
+            worst
+        };
+    let chain = Arguments::new().list("shape", vec![4.0]).number("exchange", 1.0);
+    let difference = door("spin-lattice", chain.clone(), 0.1, &CHAIN, &[1.0; 4]);
+    assert!(difference < TOLERANCE, "{difference:e}");
+    // Control: open ends are another chain.
+    assert!(door("spin-lattice", chain.number("periodic", 0.0), 0.1, &CHAIN, &[1.0; 4]) > 1e-3);
+    let vortices = Arguments::new().list("strengths", STRENGTHS.to_vec());
+    let difference = door("vortices", vortices, 0.05 * 4.0 * PI, &VORTICES, &STRENGTHS);
+    assert!(difference < TOLERANCE, "{difference:e}");
 }
 
 trait IntoCovector {
