@@ -7,6 +7,8 @@ use std::thread::sleep;
 use std::time::Duration;
 
 const LONG: &str = "[integrator]\nscheme = 'gauss-4'\nend = 4000\n";
+/// A page of which the steps take some seconds.
+const LONG_PAGE: &str = "[integrator]\nscheme = 'gauss-4'\nend = 40000\n";
 /// A sweep that takes some seconds.
 const TOPS: &str = "[sweep]\nobservables = ['megno']\naxes = [\
     { parameter = 'body.inertia[1]', from = 1, to = 3, count = 64 }, \
@@ -42,7 +44,7 @@ const FIRST: &[First] = &[
     },
     First {
         command: &["animate", "a.toml", "--out", "a.html"],
-        configuration: LONG,
+        configuration: LONG_PAGE,
         locked: "a.html.partial",
         other: &["animate", "--out", "./a.html"],
     },
