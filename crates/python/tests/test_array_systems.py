@@ -69,8 +69,24 @@ def test_exponents_of_a_chain_are_those_of_its_formula():
     chaos = [lyapunov(system, s.reshape(-1), step=0.1, end=20) for system in (SpinLattice(4, 1.0), heavytop.SpinChain(4, 1.0))]
     assert chaos[0].exponents == pytest.approx(chaos[1].exponents, abs=1e-9)
     fluid = SphereFluid(4)
-    with pytest.raises(ValueError, match="have no tangent vectors"):
-        lyapunov(fluid, fluid.start(degrees=[1, 3]), step=0.1, end=1)
+    with pytest.raises(ValueError, match="tangent vectors in the formulation direct alone"):
+        lyapunov(fluid, fluid.start(degrees=[1, 3]), step=0.1, end=1, formulation="reduced")
+
+
+def test_exponents_of_a_fluid_are_those_of_its_neighbours():
+    """The growth of a tangent vector against that of the distance of a near state, and none for a zonal flow."""
+    fluid = SphereFluid(8)
+    y, step, end = fluid.start(degrees=[2, 6], seed=3), 0.05, 8.0
+    growth = lyapunov(fluid, y, step=step, end=end, scheme="gauss-4")
+    rng = np.random.default_rng(0)
+    near = y + 1e-8 * rng.normal(size=y.shape) * (y != 0)
+    runs = [fluid.solve(one, step=step, end=end, scheme="gauss-4", formulation="direct") for one in (y, near)]
+    apart = np.linalg.norm(runs[1].y - runs[0].y, axis=0)
+    # Generic directions have the growth of the largest exponent up to factors of order 1.
+    assert growth.exponents[0] == pytest.approx(math.log(apart[-1] / apart[0]) / end, abs=0.3)
+    assert growth.exponents[0] > 0.1
+    zonal = lyapunov(fluid, {"coefficients": [[1, 0, 2, 0]]}, step=0.05, end=8, scheme="gauss-4")
+    assert abs(zonal.exponents[0]) < 1e-6
 
 
 def test_a_wave_on_the_rotating_sphere():

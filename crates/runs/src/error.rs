@@ -37,11 +37,13 @@ pub enum RunFailure {
         /// The name of the algebra.
         algebra: String,
     },
-    /// The integrators of the system have no tangent maps.
-    #[error("the integrators of {kind} have no tangent vectors")]
+    /// The integrators of the system have no tangent maps in the formulation that is asked for.
+    #[error("{kind} has tangent vectors in the formulation {has} alone")]
     NoTangents {
         /// The name of the kind of system.
         kind: &'static str,
+        /// The formulation that has them.
+        has: Formulation,
     },
     /// A saved state does not fit the integrator of the run.
     #[error("the saved state has {found} numbers, that of the integrator {expected}")]

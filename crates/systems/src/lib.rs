@@ -41,7 +41,7 @@
 //! | an elliptical vortex in a strain, on so(2, 1)∗ | [`KidaVortex`], [`So21`] |
 //! | a heavy top on a movable base, on (se(3) ⋉ R³)∗ | [`MovableBaseTop`], [`MovableBaseAlgebra`] |
 //! | a free rigid body in N dimensions, on so(N)∗ | [`GeneralisedRigidBody`] |
-//! | an ideal fluid on the sphere, on u(N)∗ | [`Zeitlin`], with [`VorticityCoefficients`] |
+//! | an ideal fluid on the sphere, on u(N)∗ | [`Zeitlin`], with [`VorticityCoefficients`]; [`ZeitlinCoordinates`] for tangent vectors |
 //! | the Laplace operator of the sphere on matrices | [`QuantisedLaplacian`] |
 //! | the type of these phase spaces and of their points | [`SpinSpace`], [`Spins`], [`SpinLatticeSpace`] |
 //! | the reason why parameters are rejected | [`SystemError`] |
@@ -117,6 +117,7 @@ pub use vortices::point_vortices::PointVortices;
 pub use matrix_hydrodynamics::{
     quantised_laplacian::QuantisedLaplacian, spherical_harmonic::associated_legendre,
     vorticity_coefficients::VorticityCoefficients, zeitlin::Zeitlin,
+    zeitlin_coordinates::ZeitlinCoordinates,
 };
 #[cfg(feature = "isospectral")]
 pub use rigid_body::generalised_rigid_body::GeneralisedRigidBody;

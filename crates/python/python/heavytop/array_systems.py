@@ -240,8 +240,8 @@ class SphereFluid(ArraySystem):
     `{"coefficients": [[l, m, re, im], ...]}`, or `{"vorticity": array}` of shape (r, 2 r) with r >= 2 N - 1, as `vorticity`
     returns. On a sphere that rotates at Omega the absolute vorticity of a fluid at rest there is 2 Omega cos(theta), the
     coefficient omega_10 = 2 Omega sqrt(4 pi/3): add it to a start relative to the sphere. Conserved are h, the kinetic energy;
-    the enstrophy Z, the integral of omega^2; and the angular momentum (M1, M2, M3), or M3 alone on a sphere that rotates. There
-    are no tangent vectors, and so no exponents.
+    the enstrophy Z, the integral of omega^2; and the angular momentum (M1, M2, M3), or M3 alone on a sphere that rotates. Tangent
+    vectors, for exponents, are those of the formulation "direct", which is much slower for large N.
 
     Args:
         size: N; harmonics of degree below N are kept.
@@ -259,6 +259,9 @@ class SphereFluid(ArraySystem):
 
     def __init__(self, size: int, rotation: float = 0.0) -> None:
         super().__init__("sphere-fluid", {"size": count("size", size, 2), "rotation": rotation})
+
+    def _formulation_of_tangents(self) -> str:
+        return "direct"
 
     def vorticity(self, y: ArrayLike, rows: Optional[int] = None) -> Floats:
         """Returns the vorticity at states of shape (d,) or (d, n), as an array of shape (r, 2 r) or (n, r, 2 r).

@@ -118,8 +118,7 @@ def lyapunov(
     times = (*course(step, end), 0 if every is None else count("every", every, 1))
     rows, tangents = states.reshape(dimension, -1).T, tangent_vectors(number, flag("sali", sali))
     if isinstance(system, System):
-        reduced = "reduced" if "reduced" in system.formulations else "direct"
-        names = system._method(formulation or reduced, scheme, 0.0)
+        names = system._method(formulation or system._formulation_of_tangents(), scheme, 0.0)
         members = members_of_system(system._system, rows.T, times[0], names)
         warn_of_many(members, 0, len(rows), 3)
         found = _native.growth_of_system(system._system, rows, times, names, tangents)

@@ -240,6 +240,10 @@ class System(SystemDescription):
         function = surface_source(surface, real("value", value), self._names, self._parameters)
         return crossings(self._system.follow(run.setting, end, NEVER, [(function, way, bound)]))
 
+    def _formulation_of_tangents(self) -> str:
+        """The formulation of tangent vectors unless another one is asked for: without fibres, where there is one."""
+        return "reduced" if "reduced" in self.formulations else "direct"
+
     def _warn_of_end(self, states: Floats, stacklevel: int) -> None:
         """Warns about invariants of which a run has used up the digits; the states are rows."""
         warning = self._system.warning_of_end(states[0].tolist(), states[-1].tolist()) if len(states) else None

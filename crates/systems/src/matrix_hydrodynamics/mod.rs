@@ -4,3 +4,4 @@ pub(crate) mod quantised_laplacian;
 pub(crate) mod spherical_harmonic;
 pub(crate) mod vorticity_coefficients;
 pub(crate) mod zeitlin;
+pub(crate) mod zeitlin_coordinates;

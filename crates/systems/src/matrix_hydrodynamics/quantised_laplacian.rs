@@ -2,6 +2,7 @@
 
 use crate::error::SystemError;
 use isospectral_flows::LargeSkewHermitian;
+use lie_poisson::Real;
 
 /// The Laplace operator of the unit sphere on N×N matrices, with spin matrices S_a of spin s = (N − 1)/2:
 ///
@@ -160,33 +161,33 @@ impl QuantisedLaplacian {
 
     /// Solves −ΔX = s Y for real X on and above the diagonal, one column after the other. The mean is subtracted from
     /// the diagonal of Y.
-    fn solve_upper(&self, s: f64, y: &[f64], mean: f64, x: &mut [f64]) {
+    pub(crate) fn solve_upper<T: Real>(&self, s: f64, y: &[T], mean: T, x: &mut [T]) {
         let n = self.size;
-        x[0] = s * (y[0] - mean);
+        x[0] = (y[0] - mean) * s;
         for k in 1..n {
             let (before, column) = x.split_at_mut(n * k);
             let (above, factors) = (&before[n * (k - 1)..], &self.factors[n * k..]);
             let y = &y[n * k..];
-            column[0] = s * y[0];
+            column[0] = y[0] * s;
             for (((x, y), above), factor) in
                 column[1..k].iter_mut().zip(&y[1..k]).zip(above).zip(&factors[1..k])
             {
-                *x = s * y + factor * above;
+                *x = *y * s + *above * *factor;
             }
-            column[k] = s * (y[k] - mean) + factors[k] * above[k - 1];
+            column[k] = (y[k] - mean) * s + above[k - 1] * factors[k];
         }
         for k in (0..n).rev() {
             let (columns, after) = x.split_at_mut(n * (k + 1));
             let (column, inverse) = (&mut columns[n * k..], &self.inverse_pivots[n * k..]);
             if k + 1 == n {
-                column.iter_mut().zip(inverse).for_each(|(x, inverse)| *x *= inverse);
+                column.iter_mut().zip(inverse).for_each(|(x, inverse)| *x = *x * *inverse);
                 continue;
             }
             let (below, factors) = (&after[1..], &self.factors[n * (k + 1) + 1..]);
             for (((x, inverse), below), factor) in
                 column[..=k].iter_mut().zip(inverse).zip(&below[..=k]).zip(&factors[..=k])
             {
-                *x = *x * inverse + factor * below;
+                *x = *x * *inverse + *below * *factor;
             }
         }
     }

@@ -74,6 +74,12 @@ impl Zeitlin {
         Ok(Self { rotation, ..self })
     }
 
+    /// Returns the angular velocity Ω of the sphere.
+    #[must_use]
+    pub fn rotation(&self) -> f64 {
+        self.rotation
+    }
+
     /// Returns whether the sphere rotates.
     #[must_use]
     pub fn rotates(&self) -> bool {

@@ -83,11 +83,15 @@ fn indicators_need_tangent_vectors_and_starts_their_names() {
     folder.write("chaos.toml", &chaotic);
     let run = folder.heavytop(&["sweep", "chaos.toml", "--out", "chaos"]);
     assert_eq!(run.code(), 0, "{}", run.stderr());
+    // A fluid has tangent vectors in the direct formulation, which a sweep that needs them takes.
     let fluid = "[system]\nkind = 'sphere-fluid'\nparameters = { size = 4 }\ninitial = { degrees = [1, 3], rms = 1 }\n\
                  [sweep]\nobservables = ['megno']\n\
                  axes = [{ parameter = 'system.initial.rms', from = 1, to = 2, count = 2 }]\n\
                  [integrator]\nend = 1\n";
-    refused(fluid, "sphere-fluid have no tangent vectors");
+    folder.write("fluid.toml", fluid);
+    let run = folder.heavytop(&["sweep", "fluid.toml", "--out", "fluid"]);
+    assert!(run.code() == 0 && run.stdout().contains("each by direct"), "{}", run.stderr());
+    refused(&(fluid.to_owned() + "formulation = 'reduced'\n"), "in the formulation direct alone");
     refused(
         &CHAIN.replace("initial.cone", "initial.cane"),
         "system.initial has cone, direction, waves",

@@ -6,10 +6,11 @@ use crate::arrays::any_arrays::{ArrayShape, Arrays, Started};
 use crate::arrays::arguments::Given;
 use crate::arrays::renewed::{Renewed, resumable_after};
 use crate::error::RunFailure;
-use collective_integrators::{AnyIntegrator, AnyTangents, Direct, VectorField};
+use collective_integrators::{AnyIntegrator, AnyState, AnyTangents, Direct, VectorField};
 use core::f64::consts::PI;
 use heavytop::methods::{Formulation, Method, MethodError, SchemeName};
 use lie_poisson::State;
+use lie_poisson_systems::ZeitlinCoordinates;
 use lie_poisson_systems::isospectral_flows::{
     CommutatorField, IsospectralRungeKutta, LargeSkewHermitian,
 };
@@ -88,11 +89,22 @@ impl Arrays for SphereFluid {
         })
     }
 
+    /// The direct formulation alone has tangent vectors: those of isospectral steps are not computed.
     fn tangent_integrator(
         &self,
-        _method: &Method,
+        method: &Method,
     ) -> Result<AnyIntegrator<dyn AnyTangents>, RunFailure> {
-        Err(RunFailure::NoTangents { kind: "sphere-fluid" })
+        if method.formulation() != Formulation::Direct {
+            return Err(RunFailure::NoTangents { kind: "sphere-fluid", has: Formulation::Direct });
+        }
+        let (formulation, name) = (method.formulation(), method.scheme());
+        let impossible = || MethodError::NoSuchPair { formulation, scheme: name };
+        let scheme = name.runge_kutta(method.tolerance())?.ok_or_else(impossible)?;
+        let state = AnyState::from_slice(&vec![0.0; self.size() * self.size()]);
+        let period = resumable_after(self.size() * self.size());
+        let direct = Direct::new(scheme, ZeitlinCoordinates(self.0.clone()));
+        let renewed = Renewed { integrator: direct, period };
+        Ok(AnyIntegrator::of_states_with_tangents(renewed, &state, &state))
     }
 
     fn start(&self, given: &Given<'_>) -> Started {

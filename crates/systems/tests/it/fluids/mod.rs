@@ -2,3 +2,4 @@
 
 mod fluid_on_sphere;
 pub mod zeitlin;
+mod zeitlin_coordinates;

@@ -10,7 +10,7 @@ use crate::configuration::{
 use crate::errors::{Error, SweepError, SystemTableError};
 use crate::runs::Schedule;
 use collective_integrators::{AnyState, Start};
-use heavytop::methods::{Formulation, Method};
+use heavytop::methods::{Formulation, Method, SchemeName};
 use lie_poisson_runs::step_angle::require_run;
 use lie_poisson_runs::{ArraySystem, Model, RunFailure, TangentGrowth};
 
@@ -58,16 +58,23 @@ impl ArrayFamily {
         };
         let numbers = axes.iter().map(of_axis).collect::<Result<Vec<_>, _>>()?;
         require_apart(axes, &numbers, |one, other| one == other)?;
-        let formulations = system.formulations();
-        // Tangent vectors have no fibres in the reduced formulation.
-        let reduced = formulations.iter().find(|formulation| **formulation == Formulation::Reduced);
-        let formulation = reduced.or(formulations.first()).copied().unwrap_or_default();
-        let integration = config.integrator.or(own_integration(formulation));
-        let Integration { formulation, scheme, tolerance, .. } = integration;
-        let method = system.method(Some(formulation), scheme, tolerance)?;
         let start = table.array_start(&system)?;
         let observables = config.sweep.as_ref().map_or(Vec::new(), |all| all.observables.clone());
-        if observables.iter().any(|observable| observable.tangents() > 0) {
+        let needs_tangents = observables.iter().any(|observable| observable.tangents() > 0);
+        // Tangent vectors have no fibres in the reduced formulation.
+        let mut formulations = system.formulations().to_vec();
+        formulations.sort_by_key(|formulation| *formulation != Formulation::Reduced);
+        let fits = |formulation: &Formulation| {
+            let method = system.method(Some(*formulation), SchemeName::default(), 0.0);
+            let tangents = method.map(|method| system.tangent_integrator(&method, &start).is_ok());
+            !needs_tangents || tangents.unwrap_or(false)
+        };
+        let own = formulations.iter().find(|formulation| fits(formulation));
+        let own = own.or(formulations.first()).copied().unwrap_or_default();
+        let integration = config.integrator.or(own_integration(own));
+        let Integration { formulation, scheme, tolerance, .. } = integration;
+        let method = system.method(Some(formulation), scheme, tolerance)?;
+        if needs_tangents {
             system.tangent_integrator(&method, &start)?;
         }
         Ok((Self { table: table.clone(), system, numbers, method }, integration))
