@@ -3,8 +3,9 @@
 /// The largest degree of the Casimirs that are searched for.
 pub(crate) const HIGHEST_DEGREE: u8 = 8;
 
-/// The degree up to which a search may take seconds.
-const LOW_DEGREE: u8 = 4;
+/// The degree up to which a search may take seconds, and up to which the coefficients may be rounded: of a higher degree, there
+/// would be hundreds of them in a basis where none is a fraction.
+pub(crate) const LOW_DEGREE: u8 = 4;
 
 /// Returns the largest number of monomials for which a degree is searched.
 ///

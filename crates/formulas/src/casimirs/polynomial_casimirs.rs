@@ -77,7 +77,8 @@ impl PolynomialCasimirs {
     }
 }
 
-/// Finds the polynomial Casimirs of an algebra up to degree 4, and in few dimensions up to degree 8, from its brackets alone.
+/// Finds the polynomial Casimirs of an algebra up to degree 4, and in few dimensions, if the
+/// constants are fractions or roots, up to degree 8, from its brackets alone.
 ///
 /// The Casimirs of a direct sum of ideals that basis vectors span are those of the ideals, which are searched one by one. The
 /// number of independent Casimirs is dim 𝔤 − r, where r is the rank of the Poisson tensor Λ_ij(μ) = Σ_k c_ijk μ_k

@@ -31,6 +31,7 @@ pub fn algebras() -> Vec<String> {
         refused(SystemAlgebra::named("so(3")),
         refused(SystemAlgebra::named("so(3)^2").and_then(|spins| spins.with_symbols(&["S", "T"]))),
         refused(QuadraticMomenta::new(Vec::new())),
+        refused(SystemAlgebra::named_with("so(2) ⋉ V", &[("V".into(), Vec::new())].into())),
         refused(SystemAlgebra::of_entries(Coordinates::new(), Vec::new())),
         refused(named("sin")),
         refused(brackets(&[], &taken)),

@@ -2,6 +2,7 @@
 
 use super::balance::{Scales, shifted};
 use super::near_null_space::near_null_space;
+use crate::casimirs::bounds::LOW_DEGREE;
 use crate::casimirs::bracket_table::BracketTable;
 use crate::casimirs::monomials::{count, equations, monomials};
 use crate::casimirs::polynomial::{Polynomial, generic_point};
@@ -53,7 +54,7 @@ impl<'a> NumericBrackets<'a> {
     /// Returns a basis of the Casimirs of a degree, or `None` if there are too many monomials.
     pub(crate) fn invariants(&self, degree: u8) -> Option<Vec<Polynomial>> {
         let n = self.table.dimension();
-        if count(n, degree) > MOST_MONOMIALS {
+        if degree > LOW_DEGREE || count(n, degree) > MOST_MONOMIALS {
             return None;
         }
         let monomials = monomials(n, degree);
