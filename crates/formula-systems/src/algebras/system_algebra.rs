@@ -4,7 +4,7 @@ use super::bracket_texts::entries;
 use super::expressions::parser::parse;
 use super::expressions::part::Part;
 use super::family::{Family, MOST_DIMENSIONS};
-use crate::casimirs::matrix_algebra::MatrixAlgebra;
+use crate::casimirs::summand::Summand;
 use crate::error::FormulaSystemError;
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use crate::realisations::verdict::Verdict;
@@ -60,8 +60,8 @@ pub struct SystemAlgebra {
     realisation: Option<(Arc<QuadraticMomenta>, Verdict)>,
     /// Whether two copies of the adjoint representation reach an open part of 𝔤∗; they see no centre.
     has_adjoint_map: bool,
-    /// The direct summands that are algebras of matrices, which have Casimirs by these.
-    pub(crate) summands: Vec<MatrixAlgebra>,
+    /// The direct summands whose Casimirs are known without a search.
+    pub(crate) summands: Vec<Summand>,
 }
 
 impl SystemAlgebra {

@@ -3,7 +3,7 @@
 use super::expression_matrix::{ExpressionMatrix, scaled};
 use super::invariant::Invariant;
 use super::matrix_algebra::{MatrixAlgebra, Structure};
-use super::pfaffian::pfaffian;
+use super::pfaffian::Pfaffians;
 use lie_poisson_formulas::{Expression, Expressions, Formula, Vocabulary};
 use nalgebra::DMatrix;
 
@@ -49,7 +49,7 @@ impl<'a> InvariantFormulas<'a> {
         }
         let value = match (invariant, &self.algebra.structure) {
             (Invariant::Pfaffian(_), Structure::Form(form)) => {
-                pfaffian(self.powers.first()?, form, &mut self.parts)
+                Pfaffians::with_form(self.powers.first()?, form).of_all(&mut self.parts)
             }
             _ => {
                 // Xᵏ = Xᵃ Xᵇ with a = ⌈k/2⌉

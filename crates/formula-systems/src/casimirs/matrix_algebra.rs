@@ -17,7 +17,8 @@ pub(crate) enum Structure {
     Complex,
     /// The form Ω = [0 1; −1 0]: the products Ωξ are symmetric.
     Symplectic,
-    /// A form η with diagonal entries ±1: the products ηξ are antisymmetric.
+    /// A form η with diagonal entries ±1: the products ηξ are antisymmetric. The matrices are η_i E_ji − η_j E_ij, i < j, in
+    /// the order of their indices.
     Form(Arc<[f64]>),
 }
 
@@ -42,6 +43,11 @@ impl MatrixAlgebra {
     /// Returns the places of its coordinates.
     pub(crate) fn places(&self) -> Range<usize> {
         self.first..self.first + self.matrices.len()
+    }
+
+    /// Returns the matrices.
+    pub(crate) fn matrices(&self) -> &[DMatrix<f64>] {
+        &self.matrices
     }
 
     /// Returns the number of rows of the matrices.

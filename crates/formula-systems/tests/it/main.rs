@@ -5,6 +5,7 @@ mod algebra_expressions;
 mod algebras_of_systems;
 mod laws_of_systems;
 mod methods_by_name;
+mod motion_casimirs;
 mod realisations;
 mod matrix_casimirs;
 mod schemes;

@@ -1,40 +1,15 @@
 //! Casimirs of algebras of matrices: their values, their brackets, and what a reader sees. Their degrees are among those of
 //! all expressions.
 
-use crate::support::system;
+use crate::support::{bracket, named, random, system};
 use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use nalgebra::{Complex, DMatrix, DVector};
-
-fn named(text: &str) -> FormulaSystem {
-    system(SystemAlgebra::named(text).unwrap(), "1")
-}
-
-/// Returns numbers between −1 and 1 that behave like random ones.
-fn random(count: usize, seed: u64) -> Vec<f64> {
-    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
-    let next = |_| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(0x1405_7b7e_f767_814f);
-        (state >> 11) as f64 / 2.0_f64.powi(52) - 1.0
-    };
-    (0..count).map(next).collect()
-}
 
 /// Returns the Casimirs that are given by matrices, with their degrees.
 fn by_matrices(system: &FormulaSystem) -> impl Iterator<Item = (String, u8, usize)> {
     let texts = system.casimirs().iter().map(ToString::to_string).zip(system.casimir_degrees());
     let all = texts.enumerate().map(|(place, (text, degree))| (text, *degree, place));
     all.filter(|(text, ..)| text.starts_with("tr") || text.starts_with("Pf"))
-}
-
-/// The largest bracket of a function with a coordinate, relative to the largest of the terms of which it is the sum.
-fn bracket(system: &FormulaSystem, xi: &[f64], mu: &[f64]) -> f64 {
-    let (mut rate, mut size) = (vec![0.0; mu.len()], f64::MIN_POSITIVE);
-    for entry in system.algebra().table().entries() {
-        let term = entry.value * xi[entry.i] * mu[entry.k];
-        rate[entry.j] += term;
-        size = size.max(term.abs());
-    }
-    rate.iter().fold(0.0_f64, |largest, x| largest.max(x.abs())) / size
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use super::part::{Part, Representation, Space};
 use crate::algebras::family::Family;
 use crate::casimirs::matrix_algebra::{MatrixAlgebra, Structure};
+use crate::casimirs::summand::Summand;
 use lie_poisson_formulas::{Coordinates, NameError, StructureEntry};
 use nalgebra::DMatrix;
 
@@ -60,7 +61,7 @@ impl Basis {
             Space::Real(_) => Structure::Real,
             Space::Complex(_) => Structure::Complex,
         };
-        let summands = vec![MatrixAlgebra::new(&self.matrices, structure)];
+        let summands = vec![Summand::Matrices(MatrixAlgebra::new(&self.matrices, structure))];
         let acts = Some(Representation { matrices: self.matrices, space });
         let family = Family::Other;
         Ok(Part { coordinates: coordinates?, constants, acts, family, summands })
@@ -92,7 +93,7 @@ pub(super) fn orthogonal(p: usize, q: usize) -> Result<Part, NameError> {
         basis.add(&[(j, i, sign(i)), (i, j, -sign(j))], &[(j, i, sign(i))]);
     }
     let form = Structure::Form((0..n).map(sign).collect());
-    let summands = vec![MatrixAlgebra::new(&basis.matrices, form)];
+    let summands = vec![Summand::Matrices(MatrixAlgebra::new(&basis.matrices, form))];
     let part = basis.part(scalars(&indexed("L", pairs(n), n)), Space::Real(n))?;
     Ok(Part { summands, ..part })
 }
@@ -164,7 +165,8 @@ pub(super) fn symplectic(n: usize) -> Result<Part, NameError> {
     let mut names = indexed("Q", upper(), n);
     names.extend(indexed("R", all(), n));
     names.extend(indexed("P", upper(), n));
-    let summands = vec![MatrixAlgebra::new(&basis.matrices, Structure::Symplectic)];
+    let algebra = MatrixAlgebra::new(&basis.matrices, Structure::Symplectic);
+    let summands = vec![Summand::Matrices(algebra)];
     let part = basis.part(scalars(&names), Space::Real(2 * n))?;
     Ok(Part { summands, ..part })
 }

@@ -2,7 +2,7 @@
 
 use super::given_representation::require_representation;
 use crate::algebras::family::Family;
-use crate::casimirs::matrix_algebra::MatrixAlgebra;
+use crate::casimirs::summand::Summand;
 use crate::error::FormulaSystemError;
 use lie_poisson_formulas::{Coordinates, StructureEntry};
 use nalgebra::DMatrix;
@@ -16,8 +16,8 @@ pub(in crate::algebras) struct Part {
     /// The representation that a semidirect product with Rⁿ or Cⁿ takes.
     pub(in crate::algebras) acts: Option<Representation>,
     pub(in crate::algebras) family: Family,
-    /// The direct summands that are algebras of matrices.
-    pub(in crate::algebras) summands: Vec<MatrixAlgebra>,
+    /// The direct summands whose Casimirs are known.
+    pub(in crate::algebras) summands: Vec<Summand>,
 }
 
 /// Real matrices, one for each basis vector, on Rⁿ or on Cⁿ as R²ⁿ.
@@ -147,7 +147,11 @@ impl Part {
             vectors.and_then(|one| if copies == 1 { Ok(one) } else { one.repeated(copies) });
         let coordinates = vectors.and_then(|vectors| self.coordinates.then(&vectors));
         let coordinates = coordinates.map_err(FormulaSystemError::Coordinates)?;
-        let (family, summands) = (Family::Other, Vec::new());
+        let summands = match &self.summands[..] {
+            [summand] if copies == 1 => summand.with_vector(matrices).into_iter().collect(),
+            _ => Vec::new(),
+        };
+        let family = Family::Other;
         Ok(Self { coordinates, constants, acts: None, family, summands })
     }
 }
