@@ -140,6 +140,11 @@ def test_events_are_functions_of_the_arrays():
             raise RuntimeError("the user's own")
         return 1.0
 
+    # Without a value later, the run ends there.
+    calls = []
+    ended = lattice.solve(start, step=0.1, end=5, events=lambda x: float("nan") if calls.append(x) or len(calls) > 9 else 1.0)
+    assert not ended.success and 2 < ended.t.size < 12
+
     with pytest.raises(RuntimeError, match="the user's own"):
         lattice.solve(start, step=0.1, end=15, events=failing)
 
@@ -244,12 +249,14 @@ def test_the_program_computes_the_same_bytes(program, tmp_path):
         (lambda: SpinLattice(4, 1.0).solve({"S": np.ones((4, 3)), "tip": 1}, step=0.1, end=1), "there is no tip"),
         (lambda: SpinLattice(4, 1.0).solve({"tilt": 1}, step=0.1, end=1, events=["S"]), r"events\[0\] must be a function of the arrays"),
         (lambda: SpinLattice(4, 1.0).solve({"tilt": 1}, step=0.1, end=1, events=lambda x: x["T"]), "T"),
-        (lambda: SpinLattice(4, 1.0).solve({"tilt": 1}, step=0.1, end=1, events=lambda x: x["S"]), r"events\[0\] must be a number"),
+        (lambda: SpinLattice(4, 1.0).solve({"tilt": 1}, step=0.1, end=1, events=lambda x: x["S"]), r"events\[0\] must be a number, got the shape"),
         (lambda: SpinLattice((4, 4), 1.0).start(S=np.ones((3, 4, 4))), r"y0\['S'\] must have the shape \(4, 4, 3\), got \(3, 4, 4\)"),
         (lambda: SpinLattice(4, 1.0, periodic=2), "periodic must be True or False"),
         (lambda: SpinLattice(4, bonds=[1, 0, 0, 1]), r"bonds must have the shape \(n, 4\), got \(4,\)"),
         (lambda: SpinLattice(4), "without them nothing moves"),
         (lambda: SpinLattice(4, 1.0).structure_constants, "no table of structure constants"),
+        (lambda: SphereFluid(4).vorticity(np.zeros(16), 10**7), "rows must be at most 8192"),
+        (lambda: lyapunov(SpinLattice((4, 3), 1.0), {"tilt": 1}, step=0.1, end=1, exponents=16), "exponents must be from 1 to 15, got 16"),
         (lambda: SphereFluid(4).start(omega=np.ones((2, 8))), r"must have the shape \(4, 4\), got \(2, 8\)"),
         (lambda: SphereFluid(4).start(vorticity=np.ones((14, 7))), r"must have the shape \(r, 2 r\), got \(14, 7\)"),
         (lambda: SphereFluid(4).start(vorticity=np.ones((6, 12))), "r at least 7, got 72"),

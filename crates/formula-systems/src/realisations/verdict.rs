@@ -75,7 +75,10 @@ impl QuadraticMomenta {
         if odd_powers >= ROUNDING {
             return None;
         }
-        (1..=size).find_map(|copies| {
+        // All symmetric forms, as of sp(2n, R): a copy has one positive and one negative square, so that as many copies as rows
+        // have every signature.
+        let is_symmetric = matrices.len() == size * (size + 1) / 2;
+        (if is_symmetric { size } else { 1 }..=size).find_map(|copies| {
             let momenta = Self::of_copies(matrices, copies).ok()?;
             let rank = momenta.rank();
             // The momenta p·ρ q of a representation are a Poisson map to the plus bracket.

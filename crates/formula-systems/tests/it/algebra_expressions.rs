@@ -287,7 +287,11 @@ fn representations_of_ones_own_make_semidirect_products() {
     };
     let tensors: Vec<DMatrix<f64>> = vectors.iter().map(action).collect();
     let given = BTreeMap::from([("V".to_owned(), vectors), ("T".to_owned(), tensors)]);
-    let with = |text: &str| SystemAlgebra::named_with(text, &given);
+    // Those that the text names.
+    let with = |text: &str| {
+        let named = given.clone().into_iter().filter(|(name, _)| text.contains(name.as_str()));
+        SystemAlgebra::named_with(text, &named.collect())
+    };
     let [own, named] = [with("so(3) ⋉ V").unwrap(), SystemAlgebra::named("so(3) ⋉ R3").unwrap()];
     assert_eq!(own.entries(), named.entries());
     let twice = with("so(3) ⋉ (V^2)").unwrap();
@@ -310,4 +314,9 @@ fn representations_of_ones_own_make_semidirect_products() {
     assert!(error("so(3) ⋉ (V + R3)").ends_with("a representation that is given must stand here"));
     assert!(error("so(3) ⋉ (V").contains("column"));
     assert!(error("so(3) ⋉ V^100").contains("1 to 256 coordinates"));
+    let unused = SystemAlgebra::named_with("so(3)", &given).unwrap_err().to_string();
+    assert_eq!(unused, "T is no representation: the expression of the algebra does not name it");
+    let taken = BTreeMap::from([("R3".to_owned(), given["V"].clone())]);
+    let taken = SystemAlgebra::named_with("so(3) ⋉ R3", &taken).unwrap_err().to_string();
+    assert_eq!(taken, "R3 is no representation: this is the name of a space that there is");
 }

@@ -3,11 +3,10 @@
 
 mod algebra_expressions;
 mod algebras_of_systems;
+mod casimirs;
 mod laws_of_systems;
 mod methods_by_name;
-mod motion_casimirs;
 mod realisations;
-mod matrix_casimirs;
 mod schemes;
 mod sections_of_systems;
 mod support;

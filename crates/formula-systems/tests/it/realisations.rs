@@ -400,3 +400,23 @@ fn units_of_one_vector_do_not_matter() {
     let so3 = named("so(3)");
     assert!(huge.verdict(so3.table(), so3.coordinates()).is_err());
 }
+
+/// Every symmetric form is the momentum of some point, whatever its signature.
+#[test]
+fn collective_steps_on_symplectic_algebras_start_everywhere() {
+    for (name, count) in [("sp(2,R)", 3), ("sp(4,R)", 10)] {
+        let algebra = named(name);
+        let symbols: Vec<String> = algebra.coordinates().names().collect();
+        let system = system(algebra, &format!("{}^2", symbols[0]));
+        let method =
+            system.algebra().method(Formulation::Collective, SchemeName::Gauss(4), 0.0).unwrap();
+        for seed in 0..40 {
+            let mu: Vec<f64> =
+                (0..count).map(|i| (7.3 * (seed * count + i) as f64 + 1.0).sin()).collect();
+            let integrator = system.tangent_integrator(&method, &mu).unwrap();
+            let lifted = integrator.start(&AnyState::from_slice(&mu)).unwrap();
+            let back = integrator.momentum(&lifted);
+            assert!(distance(back.as_slice(), &mu) < 1e-12, "{name} {seed}");
+        }
+    }
+}

@@ -95,6 +95,7 @@ impl Archive {
         let (header, mut file) = self.array(name)?;
         let mut numbers = vec![0.0; header.shape.iter().product()];
         header.fill(&mut file, &mut numbers)?;
+        ended(&mut file)?;
         Ok(numbers)
     }
 
@@ -135,6 +136,11 @@ pub(super) fn last_of_array(
         return Err(FieldFileError::Format("it has not as many numbers as its header says".into()));
     }
     header.last(&mut file, name, shape)
+}
+
+/// Reads on to the end, where an archive checks its sums.
+fn ended(file: &mut impl Read) -> io::Result<()> {
+    file.read(&mut [0; 1]).map(drop)
 }
 
 impl Header {
@@ -213,6 +219,7 @@ impl Header {
         io::copy(&mut file.take(before), &mut io::sink())?;
         let mut numbers = vec![0.0; count];
         self.fill(file, &mut numbers)?;
+        ended(file)?;
         Ok(numbers)
     }
 

@@ -11,11 +11,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from .arguments import array, count, numbers, real
+from .arguments import array, count, numbers
 from .events import Events, NativeEvent, event_parts, list_of
 from .solution import Floats, Solution
 from .system import System
 from .system_description import Parameters, State
+
+
+MOST_ROWS = 8192
+"""The largest number of circles of a grid, a gibibyte of numbers."""
 
 
 class ArraySolution(Solution):
@@ -105,7 +109,7 @@ class ArraySystem(System):
             event, direction, terminal = event_parts(name, event)
             if not callable(event.function):
                 raise ValueError(f"{name} must be a function of the arrays by name, got {event.function!r}")
-            return (lambda y: real(name, event.function(self.unpack(y)))), direction, terminal
+            return (lambda y: number(name, event.function(self.unpack(y)))), direction, terminal
 
         return [watched(f"events[{i}]", event) for i, event in enumerate(list_of(events))]
 
@@ -135,6 +139,14 @@ class ArraySystem(System):
     def __repr__(self) -> str:
         shapes = ", ".join(f"{name} {shape}" for name, shape in self.shapes.items())
         return f"<{type(self).__name__}: {shapes}>"
+
+
+def number(name: str, value: Any) -> float:
+    """Returns the value of an event, which may be no finite number: the run then ends there."""
+    found = array(name, value)
+    if found.ndim:
+        raise ValueError(f"{name} must be a number, got the shape {found.shape}")
+    return float(found)
 
 
 def numbers_of(name: str, given: Mapping[str, Any]) -> list[tuple[str, list[float], bool]]:
@@ -273,6 +285,8 @@ class SphereFluid(ArraySystem):
         """
         states = self._states("y", y)
         r = 2 * self.shapes["omega"][0] - 1 if rows is None else count("rows", rows, 1)
+        if r > MOST_ROWS:
+            raise ValueError(f"rows must be at most {MOST_ROWS}, got {r}")
         values = self._arrays.on_grid(np.atleast_2d(states.T), r)
         return values.reshape(*states.shape[1:], r, 2 * r)
 

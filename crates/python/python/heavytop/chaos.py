@@ -19,6 +19,10 @@ from .system import System
 from .top import Top
 
 
+MOST_EXPONENTS = 15
+"""The largest number of tangent vectors that are followed at once."""
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Chaos:
     """Indicators of chaos of one run or of many.
@@ -78,7 +82,7 @@ def lyapunov(
         step: the time step.
         end: the end: a multiple of the step, to within 1e-9 of itself. Before 0 the indicators are those of the motion
             backward in time.
-        exponents: the number of exponents, from 1 to d. All six of a top add up to 0, and come in pairs of opposite signs,
+        exponents: the number of exponents, from 1 to d, and at most 15. All six of a top add up to 0, and come in pairs of opposite signs,
             with two zeros for the Casimirs.
         sali: whether to compute SALI, for which there must be one exponent.
         every: keep the indicators after each n-th step, too; without it those of the end alone.
@@ -111,8 +115,8 @@ def lyapunov(
     if states.ndim not in (1, 2) or states.shape[0] != dimension:
         raise ValueError(f"y0 must have the shape ({dimension},) or ({dimension}, n), got {states.shape}")
     number = count("exponents", exponents, 1)
-    if number > dimension:
-        raise ValueError(f"exponents must be from 1 to {dimension}, got {number}")
+    if number > min(dimension, MOST_EXPONENTS):
+        raise ValueError(f"exponents must be from 1 to {min(dimension, MOST_EXPONENTS)}, got {number}")
     if formulation == "collective":
         raise ValueError("formulation must not be collective: its tangent vectors belong to another space; use reduced")
     times = (*course(step, end), 0 if every is None else count("every", every, 1))

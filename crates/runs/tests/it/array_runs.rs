@@ -228,9 +228,17 @@ fn what_does_not_fit_is_refused_with_what_is_needed() {
             spins.clone().list("bonds", vec![0.5, 0.0, 0.0, 1.0]),
             "whole numbers of cells",
         ),
+        // A bond of each spin to itself, one along an axis that there is not, and one beyond the open ends.
+        ("spin-lattice", spins.clone().list("bonds", vec![3.0, 0.0, 0.0, 1.0]), "got [3, 0, 0]"),
+        ("spin-lattice", spins.clone().list("bonds", vec![1.0, 0.0, 1.0, 1.0]), "got [1, 0, 1]"),
+        (
+            "spin-lattice",
+            spins.clone().number("periodic", 0.0).list("bonds", vec![1.0, 2.0, 0.0, 1.0]),
+            "offsets to other spins of the lattice",
+        ),
         ("spin-lattice", spins.clone().list("axis", vec![0.0; 3]), "axis must be different from 0"),
         ("spin-lattice", spins.clone().number("anisotropy", f64::NAN), "finite, got NaN"),
-        ("vortices", strengths.clone().list("strengths", vec![1.0, 0.0]), "strength"),
+        ("vortices", strengths.clone().list("strengths", vec![1.0, 0.0]), "number 2 is 0"),
         ("vortices", none().list("strengths", vec![]), "at least one number, got none"),
         ("vibrating-lattice", chain.clone().number("atoms", 2.0), "from 3 to 16777216, got 2"),
         ("vibrating-lattice", chain.clone().number("mass", 0.0), "positive, got 0"),

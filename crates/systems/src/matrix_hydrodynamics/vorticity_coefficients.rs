@@ -133,7 +133,7 @@ impl VorticityCoefficients {
     #[must_use]
     pub fn values_on_circle(&self, colatitude: f64, count: usize) -> Vec<f64> {
         let most = self.size.saturating_sub(1);
-        let mut values = vec![0.0; count];
+        let (mut values, waves) = (vec![0.0; count], waves(count));
         for m in 0..self.size {
             let legendre = associated_legendre(most, m, colatitude.cos());
             let sum: Complex<f64> = (m..).zip(legendre).map(|(l, p)| self.at(l, m) * p).sum();
@@ -142,9 +142,7 @@ impl VorticityCoefficients {
             }
             let sum = if m == 0 { sum } else { sum * 2.0 };
             for (n, value) in values.iter_mut().enumerate() {
-                // The angle is reduced before it is rounded.
-                let turns = ((m * n) % count) as f64 / count as f64;
-                *value += (sum * Complex::from_polar(1.0, std::f64::consts::TAU * turns)).re;
+                *value += (sum * waves[(m * n) % count]).re;
             }
         }
         values
@@ -185,15 +183,12 @@ impl VorticityCoefficients {
             return Self::from_fn(size, |_, _| Complex::new(f64::NAN, f64::NAN));
         }
         let columns = 2 * rows;
-        let mut omega = Self::zeros(size);
+        let (mut omega, waves) = (Self::zeros(size), waves(columns));
         for (i, circle) in values.chunks_exact(columns).enumerate() {
             let angle = colatitude(i, rows);
             let scale = weight(angle, rows) * std::f64::consts::PI / rows as f64;
             for m in 0..size {
-                let wave = |(j, value): (usize, &f64)| {
-                    let turns = ((m * j) % columns) as f64 / columns as f64;
-                    Complex::from_polar(*value, -std::f64::consts::TAU * turns)
-                };
+                let wave = |(j, value): (usize, &f64)| waves[(m * j) % columns].conj() * *value;
                 let sum: Complex<f64> = circle.iter().enumerate().map(wave).sum();
                 for (l, p) in (m..).zip(associated_legendre(size - 1, m, angle.cos())) {
                     omega.set(l, m, omega.at(l, m) + sum * (scale * p));
@@ -202,6 +197,12 @@ impl VorticityCoefficients {
         }
         omega
     }
+}
+
+/// Returns e^(2πik/count) for k from 0 on. The angles are reduced before they are rounded.
+fn waves(count: usize) -> Vec<Complex<f64>> {
+    let turns = (0..count).map(|k| k as f64 / count as f64);
+    turns.map(|turns| Complex::from_polar(1.0, std::f64::consts::TAU * turns)).collect()
 }
 
 /// Returns the colatitude of a circle of a grid.

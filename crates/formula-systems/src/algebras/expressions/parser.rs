@@ -26,7 +26,20 @@ pub(in crate::algebras) fn parse(
     text: &str,
     given: &BTreeMap<String, Vec<DMatrix<f64>>>,
 ) -> Result<Part, FormulaSystemError> {
-    let mut parser = Parser { text, tokens: tokens(text)?, next: 0, level: 0, given };
+    let tokens = tokens(text)?;
+    for name in given.keys() {
+        let wrong = |problem: &str| FormulaSystemError::Representation {
+            name: name.clone(),
+            problem: problem.into(),
+        };
+        if space(name).is_some() {
+            return Err(wrong("this is the name of a space that there is"));
+        }
+        if !tokens.iter().any(|(_, token)| word(token) == Some(name)) {
+            return Err(wrong("the expression of the algebra does not name it"));
+        }
+    }
+    let mut parser = Parser { text, tokens, next: 0, level: 0, given };
     let part = parser.sum()?;
     match parser.peek() {
         None => Ok(part),

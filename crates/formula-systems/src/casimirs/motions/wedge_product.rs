@@ -1,6 +1,6 @@
 //! The invariants of a vector and a 2-form: [`WedgeProduct`].
 
-/// What does not change under rotations and translations of the forms Γ = Σ Γ_i eⁱ and L = Σ_{i<j} L_ij eⁱ∧eʲ: of
+/// What does not change under rotations and translations of the forms Γ = Σ Γ_i eⁱ and L = Σ L_ij eⁱ∧eʲ, i < j: of
 /// Γ ∧ L^∧k, a form of degree 2k + 1, the square, or the form itself.
 ///
 /// A translation by v adds a multiple of Γ ∧ ηv to L, which Γ ∧ L^∧k does not see. A rotation turns it.

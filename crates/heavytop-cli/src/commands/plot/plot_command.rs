@@ -40,6 +40,7 @@ pub fn plot(
         let range = "that of a sample of the run";
         return Err(Error::OutOfRange { name: "sample", range, value: sample as f64 });
     }
+    options.require_of(run.subject.view())?;
     let drawing = match sample_picture(&run, options.plane)? {
         Some(picture) if format == PictureFormat::Gif => {
             return film_of_samples(&run, picture, out, options, watch);
@@ -53,7 +54,8 @@ pub fn plot(
     };
     let (svg, png) = render(&drawing, SCALE)?;
     Output::whole(out, if format == PictureFormat::Svg { svg.as_bytes() } else { &png })?;
-    Ok(PlotSummary { out: out.into(), time: run.time(sample), frames: None })
+    let is_whole = !run.subject.view().is_of_a_sample();
+    Ok(PlotSummary { out: out.into(), time: run.time(sample), frames: None, is_whole })
 }
 
 /// Draws a sample.

@@ -1,6 +1,7 @@
 //! What is drawn of a run, and how: [`PlotOptions`].
 
 use super::picture_format::PictureFormat;
+use super::view::View;
 use crate::errors::Error;
 
 /// The most frames of a film per second: viewers slow faster ones down.
@@ -49,6 +50,22 @@ impl PlotOptions {
             Some(fps) => {
                 Err(Error::OutOfRange { name: "fps", range: "from 1 to 50", value: fps.into() })
             }
+            None => Ok(()),
+        }
+    }
+
+    /// Checks that the picture of a run has the options that are given.
+    ///
+    /// # Errors
+    /// [`Error::OtherPicture`].
+    pub(super) fn require_of(&self, view: View) -> Result<(), Error> {
+        let samples = "lattices, fluids and vortices: this picture shows the whole run";
+        let options = [
+            ("sample", self.sample.is_some() && !view.is_of_a_sample(), samples),
+            ("plane", self.plane.is_some() && view != View::Lattice, "lattices of three axes"),
+        ];
+        match options.into_iter().find(|(_, is_wrong, _)| *is_wrong) {
+            Some((option, _, kind)) => Err(Error::OtherPicture { option, kind }),
             None => Ok(()),
         }
     }

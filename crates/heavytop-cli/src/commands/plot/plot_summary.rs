@@ -1,6 +1,7 @@
 //! The summary of `plot`.
 
 use crate::files::place::shown;
+use crate::vocabulary::brief::number;
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
@@ -15,14 +16,19 @@ pub struct PlotSummary {
     /// The number of frames of a film.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frames: Option<usize>,
+    /// Whether the picture shows the whole run.
+    #[serde(skip)]
+    pub(super) is_whole: bool,
 }
 
 impl fmt::Display for PlotSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { out, time, frames } = self;
+        let Self { out, frames, is_whole, .. } = self;
+        let time = number(self.time);
         match frames {
             Some(1) => write!(to, "1 frame at t = {time} s in {}", shown(out)),
             Some(frames) => write!(to, "{frames} frames up to t = {time} s in {}", shown(out)),
+            None if *is_whole => write!(to, "the run to t = {time} s in {}", shown(out)),
             None => write!(to, "t = {time} s in {}", shown(out)),
         }
     }

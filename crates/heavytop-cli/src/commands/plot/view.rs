@@ -9,3 +9,10 @@ pub(super) enum View {
     Chain,
     Panels,
 }
+
+impl View {
+    /// Returns whether a picture shows one sample, and not the whole run.
+    pub(super) fn is_of_a_sample(self) -> bool {
+        matches!(self, Self::Fluid | Self::Vortices | Self::Lattice)
+    }
+}

@@ -85,9 +85,9 @@ pub fn simulate(
         renewal.pause(moment.step, || moment.saved(), &mut recording, &deviations)
     });
     drop(progress);
-    recording.conclude(outcome)?;
     let end = last.get(1..=dimension).unwrap_or_default();
     run.model.warning_of_end(&run.start, end).into_iter().for_each(warn);
+    recording.conclude(outcome)?;
     let check = || RunCheck::of(run.compared(&|| options.going())?, &run.method);
     let check = options.check.then(check).transpose()?;
     let summary = RunSummary::new(out.into(), run, &last, &deviations, &table);

@@ -95,13 +95,13 @@ pub enum SweepError {
         /// The number of independent Casimirs of the system with the configured parameters.
         expected: usize,
     },
-    /// A member has other coordinates or conserved quantities than the system of the configuration.
-    #[error("it has {found}, and the system with the configured parameters {expected}")]
+    /// A member has another number of coordinates than the system of the configuration.
+    #[error("it has {found} coordinates, and the system with the configured parameters {expected}")]
     OtherColumns {
-        /// The number of coordinates and the conserved quantities of the member.
-        found: String,
-        /// Those of the system with the configured parameters.
-        expected: String,
+        /// The number of coordinates of the member.
+        found: usize,
+        /// That of the system with the configured parameters.
+        expected: usize,
     },
     /// The state is too large for columns of a table.
     #[error(

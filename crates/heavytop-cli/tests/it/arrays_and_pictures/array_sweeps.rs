@@ -91,6 +91,19 @@ fn indicators_need_tangent_vectors_and_starts_their_names() {
     folder.write("fluid.toml", fluid);
     let run = folder.heavytop(&["sweep", "fluid.toml", "--out", "fluid"]);
     assert!(run.code() == 0 && run.stdout().contains("each by direct"), "{}", run.stderr());
+    // A sphere that rotates conserves less: the others have no value.
+    let turning = fluid
+        .replace("'megno'", "'invariant-drift'")
+        .replace("system.initial.rms', from = 1", "system.parameters.rotation', from = 0");
+    folder.write("turning.toml", &turning.replace("size = 4", "size = 4, rotation = 0"));
+    let run = folder.heavytop(&["sweep", "turning.toml", "--out", "turning"]);
+    assert_eq!(run.code(), 0, "{}", run.stderr());
+    let table = rows(&folder, "turning/sweep.parquet");
+    assert!(column(&table, "drift_h").iter().all(Option::is_some));
+    assert_eq!(
+        column(&table, "drift_M1").iter().map(Option::is_some).collect::<Vec<_>>(),
+        [true, false]
+    );
     refused(&(fluid.to_owned() + "formulation = 'reduced'\n"), "in the formulation direct alone");
     refused(
         &CHAIN.replace("initial.cone", "initial.cane"),

@@ -214,10 +214,12 @@ fn deviations_from_the_start_are_drawn_on_a_logarithmic_scale() {
 #[test]
 fn a_run_of_a_single_sample_is_drawn() {
     let folder = Folder::new();
-    let (svg, rows) = drawn(
-        &folder,
-        "integrator = { step = 0.02, end = 0.02 }\noutput.every = 7\n",
-        &["--sample", "0"],
-    );
+    let (svg, rows) =
+        drawn(&folder, "integrator = { step = 0.02, end = 0.02 }\noutput.every = 7\n", &[]);
     assert!(rows.len() <= 2 && !outlines(&svg).is_empty());
+    // It shows the whole run, and no sample or plane of it.
+    for option in ["--sample", "--plane"] {
+        let run = folder.heavytop(&["plot", "a.npz", "--out", "other.svg", option, "0"]);
+        assert!(run.code() == 2 && run.stderr().contains(" is for lattices"), "{}", run.stderr());
+    }
 }

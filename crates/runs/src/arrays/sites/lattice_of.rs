@@ -37,10 +37,18 @@ pub(in crate::arrays) fn lattice_of(given: &Given<'_>) -> Result<Interactions, F
         if offset.iter().any(|d| d.fract() != 0.0 || d.abs() > MOST_OFFSET) {
             return Err(given.refused("bonds", format!("whole numbers of cells, got {offset:?}")));
         }
-        let (offset, axes) = (offset.map(|d| d as i64), lattice.axes().len());
-        lattice = lattice
-            .with_exchange(offset.get(..axes).unwrap_or(&offset), *constant)
-            .map_err(refused(given, "bonds"))?;
+        let all = offset.map(|d| d as i64);
+        let (own, beyond) = all.split_at(lattice.axes().len());
+        let inside = |((count, periodic), d): (&(usize, bool), &i64)| {
+            *periodic || d.unsigned_abs() < *count as u64
+        };
+        let moves = |((count, _), d): (&(usize, bool), &i64)| d % *count as i64 != 0;
+        let ends = || lattice.axes().iter().zip(own);
+        if beyond.iter().any(|d| *d != 0) || !ends().all(inside) || !ends().any(moves) {
+            let needed = "offsets to other spins of the lattice, 0 along axes that it has not";
+            return Err(given.refused("bonds", format!("{needed}, got {all:?}")));
+        }
+        lattice = lattice.with_exchange(own, *constant).map_err(refused(given, "bonds"))?;
     }
     let (k, axis, field) =
         (given.number("anisotropy"), given.vector("axis"), given.vector("field"));

@@ -32,6 +32,10 @@ pub(in crate::arrays) fn make(given: &Given<'_>) -> Made {
     if strengths.is_empty() {
         return Err(given.refused("strengths", "at least one number, got none".into()));
     }
+    if let Some(i) = strengths.iter().position(|strength| !strength.recip().is_finite()) {
+        let needed = format!("other than 0; number {} is {}", i + 1, strengths[i]);
+        return Err(given.refused("strengths", needed));
+    }
     let vortices = ManyVortices::new(strengths.clone());
     let vortices = vortices.map_err(|error| given.refused("strengths", error.to_string()))?;
     Ok(Box::new(SitesArrays {

@@ -49,5 +49,5 @@ pub(in crate::commands::plot) fn film_of_samples(
         Ok(number < last)
     })?;
     film.complete()?;
-    Ok(PlotSummary { out: out.into(), time: run.time(last), frames: Some(frames) })
+    Ok(PlotSummary { out: out.into(), time: run.time(last), frames: Some(frames), is_whole: false })
 }

@@ -83,17 +83,14 @@ impl ArrayFamily {
     /// Returns the system and its start at these values of the axes.
     ///
     /// # Errors
-    /// If there is none, it has other columns than the configured one, or its motion turns too far in a step.
+    /// If there is none, it has another number of coordinates than the configured one, or its motion turns too far in a step.
     fn at(&self, values: &[f64], step: f64) -> Result<(ArraySystem, Vec<f64>), Error> {
         let mut table = self.table.clone();
         for (varied, value) in self.numbers.iter().zip(values) {
             varied.set(*value, &mut table, &mut []);
         }
         let system = table.array_system()?.ok_or(SystemTableError::Missing("kind"))?;
-        let columns = |system: &ArraySystem| {
-            format!("{} coordinates and {}", system.dimension(), names(system).join(", "))
-        };
-        let (found, expected) = (columns(&system), columns(&self.system));
+        let (found, expected) = (system.dimension(), self.system.dimension());
         if found != expected {
             return Err(SweepError::OtherColumns { found, expected }.into());
         }
@@ -210,7 +207,15 @@ impl Family for ArrayFamily {
             Observable::Lyapunov => vec![Some(grown.lyapunov)],
             Observable::Megno => vec![Some(grown.megno)],
             Observable::Sali => vec![grown.alignment],
-            Observable::InvariantDrift => drift.largest.iter().copied().map(Some).collect(),
+            // A field or a rotation leaves fewer quantities that are conserved.
+            Observable::InvariantDrift => {
+                let own = names(&system);
+                let drift = |name: &String| {
+                    let place = own.iter().position(|own| own == name)?;
+                    drift.largest.get(place).copied()
+                };
+                names(&self.system).iter().map(drift).collect()
+            }
             _ => {
                 let mut end = grown.end.as_slice().to_vec();
                 system.present(&mut end);

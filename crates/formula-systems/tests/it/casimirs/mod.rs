@@ -1,0 +1,4 @@
+//! Casimirs of algebras by expression beyond those that the search finds.
+
+mod matrix_casimirs;
+mod motion_casimirs;
