@@ -216,8 +216,10 @@ def test_a_semidirect_product_with_a_representation_of_ones_own():
         System("so(3) |x V", "V1", representations={"V": hats[:2]})
     with pytest.raises(ValueError, match=r"representations\['V'\] must have the shape"):
         System("so(3) |x V", "V1", representations={"V": np.ones((3, 2, 3))})
-    with pytest.raises(ValueError, match="such as R3 or C2, or a representation that is given"):
+    with pytest.raises(ValueError, match="V is no representation: the expression of the algebra does not name it"):
         System("so(3) |x W", "V1", representations={"V": hats})
+    with pytest.raises(ValueError, match="a representation that is given must stand here"):
+        System("so(3) |x (V + W)", "V1", representations={"V": hats})
 
 
 def test_a_run_that_has_used_up_its_digits_says_so():
