@@ -23,7 +23,7 @@ use std::sync::Arc;
 const WIDTHS: [usize; 2] = [3, 6];
 
 /// The dimensions of the algebras whose Clebsch maps are those of their adjoint representation.
-const ADJOINT_MAPS: core::ops::RangeInclusive<usize> = 7..=20;
+const ADJOINT_MAPS: core::ops::RangeInclusive<usize> = 7..=64;
 
 /// The dimensions of the algebras of matrices that are realised by their own matrices.
 const OWN_MATRICES: core::ops::RangeInclusive<usize> = 4..=64;
@@ -58,7 +58,8 @@ pub struct SystemAlgebra {
     pub(crate) family: Family,
     /// Momenta of one's own for the collective formulation, and what they obey.
     realisation: Option<(Arc<QuadraticMomenta>, Verdict)>,
-    /// Whether two copies of the adjoint representation reach an open part of 𝔤∗; they see no centre.
+    /// Whether two copies of the adjoint representation, of an algebra with a centre that of an extension by a scaling, reach an
+    /// open part of 𝔤∗.
     has_adjoint_map: bool,
     /// The direct summands whose Casimirs are known without a search.
     pub(crate) summands: Vec<Summand>,
@@ -155,7 +156,7 @@ impl SystemAlgebra {
             .filter(|_| family == Family::Other && OWN_MATRICES.contains(&algebra.dimension()));
         let momenta = matrices.and_then(|matrices| QuadraticMomenta::reaching(&matrices));
         let realisation = momenta.map(|(momenta, verdict)| (Arc::new(momenta), verdict));
-        Ok(Self { realisation, summands, ..algebra })
+        Ok(Self { realisation, summands, ..algebra }.with_adjoint_map())
     }
 
     /// Creates the algebra from brackets [x, y] = Σ c z, which are written with the names of coordinates, such as
@@ -214,7 +215,7 @@ impl SystemAlgebra {
             error => wrong(error),
         })?;
         let name = "this algebra".into();
-        Ok(Self::of_table(name, coordinates, table, Family::Other))
+        Ok(Self::of_table(name, coordinates, table, Family::Other).with_adjoint_map())
     }
 
     /// Returns the algebra under a name for messages.
@@ -229,11 +230,18 @@ impl SystemAlgebra {
         family: Family,
     ) -> Self {
         let entries = table.entries().iter().copied().filter(|entry| entry.i < entry.j).collect();
-        let is_large = ADJOINT_MAPS.contains(&table.dimension()) && family == Family::Other;
-        let momenta = is_large.then(|| QuadraticMomenta::clebsch(&table).ok()).flatten();
-        let has_adjoint_map = momenta.is_some_and(|momenta| momenta.rank() == table.dimension());
-        let (realisation, summands) = (None, Vec::new());
+        let (realisation, summands, has_adjoint_map) = (None, Vec::new(), false);
         Self { name, coordinates, entries, table, family, realisation, has_adjoint_map, summands }
+    }
+
+    /// Finds out whether the adjoint representation makes a Clebsch map, where no other realisation is known.
+    fn with_adjoint_map(self) -> Self {
+        let is_large = ADJOINT_MAPS.contains(&self.dimension())
+            && self.family == Family::Other
+            && self.realisation.is_none();
+        let momenta = is_large.then(|| QuadraticMomenta::clebsch(&self.table).ok()).flatten();
+        let has_adjoint_map = momenta.is_some_and(|momenta| momenta.rank() == self.dimension());
+        Self { has_adjoint_map, ..self }
     }
 
     /// Returns the algebra with other symbols for its coordinates, in the order in which their own symbols come: `S` for
@@ -377,7 +385,7 @@ fn of_library<A: NamedAlgebra>(
     let coordinates = algebra.coordinates().map_err(FormulaSystemError::Coordinates)?;
     let table = table_of_entries(coordinates.dimension(), &entries.collect::<Vec<_>>());
     let table = table.map_err(FormulaSystemError::Structure)?;
-    Ok(SystemAlgebra::of_table(name, coordinates, table, Family::Other))
+    Ok(SystemAlgebra::of_table(name, coordinates, table, Family::Other).with_adjoint_map())
 }
 
 /// Returns a name without the numbers that powers and sums put behind it, and these.

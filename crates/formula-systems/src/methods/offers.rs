@@ -37,7 +37,7 @@ impl SystemAlgebra {
     /// | algebra | formulations |
     /// |---|---|
     /// | so(3), su(2), se(3) by name, and sums of so(3) and su(2) | collective, reduced, direct |
-    /// | another of dimension 2 to 6, or 7 to 20 without a centre | collective, by a Clebsch map; direct |
+    /// | another of dimension 2 to 6, or 7 to 64 without a centre or with one that a grading of the basis scales | collective, by a Clebsch map; direct |
     /// | any other | direct |
     /// | so(n), so(p,q), sp(2n,R), gl(n) of dimension 4 to 64 | collective, along copies of their matrices; direct |
     /// | one with [momenta of your own](Self::with_realisation) | collective along these, beside the others |

@@ -1,7 +1,7 @@
 //! Points with given quadratic momenta.
 
+use super::generic_point::generic;
 use super::quadratic_momenta::QuadraticMomenta;
-use super::verdict::generic;
 use momentum_map::LiftError;
 use nalgebra::{DMatrix, DVector};
 

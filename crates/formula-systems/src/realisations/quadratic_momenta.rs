@@ -1,5 +1,6 @@
 //! Quadratic momenta on a symplectic vector space: [`QuadraticMomenta`].
 
+use super::grading::grading;
 use crate::error::FormulaSystemError;
 use lie_poisson::{Real, StructureTable};
 use nalgebra::DMatrix;
@@ -65,6 +66,9 @@ pub fn matrices_of_rows(
     };
     (1..).zip(matrices).map(matrix).collect()
 }
+
+/// The largest weight below which no basis vector is scaled.
+const SCALED: f64 = 1e-6;
 
 impl QuadraticMomenta {
     /// Creates the momenta J_a = ½ z·S_a z of symmetric matrices of 2m rows.
@@ -147,7 +151,8 @@ impl QuadraticMomenta {
         Self::of_representation(&matrices.iter().map(diagonal).collect::<Vec<_>>())
     }
 
-    /// Returns the momenta of two copies of the adjoint representation, a Clebsch map.
+    /// Returns the momenta of two copies of the adjoint representation, a Clebsch map; of an algebra with a centre, which it does
+    /// not see, of that of 𝔤 ⋊ RD with a derivation D that scales the basis vectors: ξ·(η, t) = ([ξ, η] − tDξ, 0).
     pub(crate) fn clebsch(algebra: &StructureTable) -> Result<Self, FormulaSystemError> {
         let d = algebra.dimension();
         let mut matrices = vec![DMatrix::zeros(d, d); d];
@@ -156,7 +161,18 @@ impl QuadraticMomenta {
                 matrix[(entry.k, entry.j)] = entry.value;
             }
         }
-        Self::of_copies(&matrices, 2)
+        let adjoint = Self::of_copies(&matrices, 2)?;
+        let weights = grading(algebra);
+        if adjoint.rank() == d || weights.amax() < SCALED {
+            return Ok(adjoint);
+        }
+        let extended = |(a, matrix): (usize, &DMatrix<f64>)| {
+            let mut extended = DMatrix::zeros(d + 1, d + 1);
+            extended.view_mut((0, 0), (d, d)).copy_from(matrix);
+            extended[(a, d)] = -weights[a];
+            extended
+        };
+        Self::of_copies(&matrices.iter().enumerate().map(extended).collect::<Vec<_>>(), 2)
     }
 
     /// Returns the number 2m of coordinates of z.

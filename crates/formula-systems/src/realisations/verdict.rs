@@ -1,5 +1,6 @@
 //! Whether quadratic momenta make a Poisson map, and a collective integrator: [`Verdict`].
 
+use super::generic_point::generic;
 use super::quadratic_momenta::{QuadraticMomenta, wrong};
 use crate::error::FormulaSystemError;
 use lie_poisson::StructureTable;
@@ -226,13 +227,4 @@ where
 fn turned(form: &DMatrix<f64>) -> DMatrix<f64> {
     let m = form.nrows() / 2;
     DMatrix::from_fn(2 * m, 2 * m, |i, j| if i < m { form[(m + i, j)] } else { -form[(i - m, j)] })
-}
-
-/// Returns numbers of no special relation to each other, which are the same in every run. Those of an arithmetic progression
-/// would not do: their sines fill a plane.
-pub(super) fn generic(count: usize, sample: usize) -> DVector<f64> {
-    DVector::from_fn(count, |i, _| {
-        let n = (1 + i + 31 * sample) as f64;
-        (1.3 + 0.7 * n * n).sin()
-    })
 }

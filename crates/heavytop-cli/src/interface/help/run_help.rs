@@ -216,7 +216,8 @@ product without *. A coordinate must not have the name of another column.
 so(3), su(2), se(3) and sums of so(3) and su(2) have the formulations
 collective, reduced and direct; so(n), so(p,q), sp(2n,R) and gl(n) of dimension 4 to 64
 collective, along copies of their matrices, and direct; other algebras of dimension 2 to 6, and 7
-to 20 without a centre, collective, on T*V by a Clebsch map, with a warning where its steps are not
+to 64 (a centre must be scaled by a grading), collective, on T*V by a Clebsch map, with a warning
+where its steps are not
 Poisson, and direct; the others direct, which is not Poisson. Without the key: collective where
 there is reduced, too, or along matrices, and direct elsewhere.
 
