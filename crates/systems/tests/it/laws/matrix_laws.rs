@@ -4,12 +4,13 @@ use super::field_laws::generator;
 use super::law_samples::{ENERGY_OF_ORDER_TWO, ROUND_OFF, ROUND_OFF_OF_RUNS, SHORT_STEP};
 use super::suites_with_controls::{holds, obeys};
 use core::f64::consts::PI;
-use lie_poisson_systems::collective_integrators::{RungeKutta, laws};
+use lie_poisson::State;
+use lie_poisson_systems::collective_integrators::{AnyState, Direct, RungeKutta, laws};
 use lie_poisson_systems::isospectral_flows::{
     IsospectralField, IsospectralRungeKutta, LargeSkewHermitian,
 };
 use lie_poisson_systems::num_complex::Complex;
-use lie_poisson_systems::{GeneralisedRigidBody, Zeitlin};
+use lie_poisson_systems::{GeneralisedRigidBody, Zeitlin, ZeitlinCoordinates};
 
 /// Returns a generic matrix without trace of norm 1.
 fn generic(size: usize) -> LargeSkewHermitian {
@@ -86,5 +87,33 @@ fn zeitlin_laws() {
         let angular = |w: &LargeSkewHermitian| still.angular_momentum(w)[0];
         let exact: [Function<'_>; 3] = [&|w| still.enstrophy(w), &cube, &angular];
         obeys_as_midpoint(still.clone(), &w, (&exact, &[&|w| still.energy(w)]));
+    }
+}
+
+/// On coordinates the midpoint rule conserves what is quadratic: the enstrophy and the angular momentum.
+#[test]
+fn zeitlin_coordinates_laws() {
+    for size in SIZES {
+        let fluid = Zeitlin::new(size).unwrap();
+        let matrix = |state: &AnyState| {
+            let mut w = LargeSkewHermitian::zeros(size);
+            w.set_coordinates(|i| state.coordinate(i));
+            w
+        };
+        let w = generic(size);
+        let numbers: Vec<f64> = (0..size * size).map(|i| w.coordinate(i)).collect();
+        let states = [AnyState::from_slice(&numbers)];
+        let midpoint = RungeKutta::implicit_midpoint();
+        let direct = Direct::new(midpoint, ZeitlinCoordinates(fluid.clone()));
+        if size == 3 {
+            obeys(&direct, ("step", 1), ROUND_OFF, |i| laws::integrator(i, &states, SHORT_STEP));
+        }
+        let exact: [&dyn Fn(&AnyState) -> f64; 2] =
+            [&|w| fluid.enstrophy(&matrix(w)), &|w| fluid.angular_momentum(&matrix(w))[0]];
+        obeys(&direct, ("step", 1), ROUND_OFF_OF_RUNS, |i| {
+            laws::invariants(i, &states, SHORT_STEP, &exact)
+        });
+        let others: [&dyn Fn(&AnyState) -> f64; 1] = [&|w| fluid.energy(&matrix(w))];
+        holds(&direct, ENERGY_OF_ORDER_TWO, |i| laws::invariants(i, &states, SHORT_STEP, &others));
     }
 }
