@@ -15,7 +15,7 @@ use lie_poisson_formula_systems::{FormulaSystemError, Parameter};
 /// sphere-fluid:      h = −½ ∫ψ(ω − f),                                                   dW/dt = [P, W]/ħ
 /// ```
 ///
-/// Spins have the plus bracket, {s_a, s_b} = ε_abc s_c, and vortices the minus bracket. Spins and their constants are numbers
+/// A lattice has the bonds that go round its periodic axes, and none beyond an open end. Spins have the plus bracket, {s_a, s_b} = ε_abc s_c, and vortices the minus bracket. Spins and their constants are numbers
 /// without units, strengths are in m²/s on the unit sphere, and the unit of time of fluids is arbitrary. The sources are those of
 /// [`HeisenbergLattice`], [`SpinLattice`], [`ManyVortices`] and [`Zeitlin`].
 ///

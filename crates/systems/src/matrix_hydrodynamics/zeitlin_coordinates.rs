@@ -8,7 +8,10 @@ use lie_poisson::{Real, State};
 /// tangent vectors, and with them Lyapunov exponents.
 ///
 /// The coordinates are those of `LargeSkewHermitian`: column by column the real parts below the diagonal and the imaginary
-/// parts on and above it. Products are plain sums, so that for large N the field of matrices is much faster.
+/// parts on and above it; they are vorticities, in inverse units of time. Products are plain sums, and each evaluation allocates
+/// its matrices, so that for large N the field of matrices is much faster.
+///
+/// Source: that of [`Zeitlin`].
 ///
 /// # Example
 /// The rate is that of the matrices:
