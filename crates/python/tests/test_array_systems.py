@@ -19,7 +19,7 @@ def spins(shape, seed=0):
 def test_a_lattice_has_the_equations_of_its_energy():
     """The rate is s x H, and the energy the sum, both by NumPy."""
     field, axis, k = np.array([0.1, -0.2, 0.3]), np.array([1.0, 2.0, 2.0]) / 3, 0.4
-    lattice = SpinLattice((4, 3, 5), [1.0, -0.5, 0.7], k, axis, field, bonds=[[1, 1, 0, 0.3]])
+    lattice = SpinLattice((4, 3, 5), [1.0, -0.5, 0.7], k, field, axis, bonds=[[1, 1, 0, 0.3]])
     s = spins((4, 3, 5))
     neighbours = [((1, 0, 0), 1.0), ((0, 1, 0), -0.5), ((0, 0, 1), 0.7), ((1, 1, 0), 0.3)]
     near = np.zeros_like(s)
@@ -91,7 +91,7 @@ def test_exponents_of_a_fluid_are_those_of_its_neighbours():
 
 def test_a_wave_on_the_rotating_sphere():
     c, rotation, l, m = 1.0, 0.5, 4, 3
-    fluid = SphereFluid(12, rotation)
+    fluid = SphereFluid(12, rotation=rotation)
     rows = [[1, 0, (c + 2 * rotation) * math.sqrt(4 * math.pi / 3), 0], [l, m, 0.3, 0.1]]
     run = fluid.solve({"coefficients": rows}, step=0.05, end=2)
     sigma = (c + 2 * rotation) / (l * (l + 1)) - c / 2
@@ -214,7 +214,7 @@ def test_the_program_computes_the_same_bytes(program, tmp_path):
     cases = [
         ("spin-lattice", SpinLattice((3, 4), 1.0, field=[0, 0, 0.2]), {"tilt": 1.0, "seed": 2}, "shape = [3, 4], exchange = 1, field = [0, 0, 0.2]"),
         ("vibrating-lattice", VibratingLattice(4, 1.0, coupling=0.5), {"waves": [1], "cone": 0.4}, "atoms = 4, exchange = 1, coupling = 0.5"),
-        ("sphere-fluid", SphereFluid(6, 0.2), {"degrees": [1, 4]}, "size = 6, rotation = 0.2"),
+        ("sphere-fluid", SphereFluid(6, rotation=0.2), {"degrees": [1, 4]}, "size = 6, rotation = 0.2"),
         ("vortices", ManyVortices(np.full(50, 0.02)), {"seed": 3}, f"strengths = {[0.02] * 50}"),
     ]
     for kind, system, start, parameters in cases:
@@ -230,6 +230,26 @@ def test_the_program_computes_the_same_bytes(program, tmp_path):
                 assert (archive[name] == run[name]).all(), kind
             for name in system.invariants:
                 assert (archive[name] == run.invariants[name]).all(), (kind, name)
+
+
+def test_a_start_may_be_given_with_the_system():
+    positions = np.array([[1, 0, 0], [0, 0.6, 0.8], [0, 0, -1]])
+    waves = {"coefficients": [[2, 1, 0.3, 0.1], [3, 0, 0.2, 0]]}
+    grid = SphereFluid(4).vorticity(SphereFluid(4).start(**waves))
+    for system, start in [
+        (heavytop.Vortices([1.0, 2.0, -1.0], positions), positions),
+        (heavytop.ManyVortices([1.0, 2.0, -1.0], positions), {"positions": positions}),
+        (SphereFluid(4, **waves), waves),
+        (SphereFluid(4, grid), {"vorticity": grid}),
+    ]:
+        own, given = system.solve(step=0.1, end=1), system.solve(start, step=0.1, end=1)
+        assert (own.y == given.y).all() and np.abs(own.y[:, -1] - own.y[:, 0]).max() > 1e-3
+        chaos = [lyapunov(system, *y0, step=0.1, end=1) for y0 in ([], [start])]
+        assert chaos[0].megno == chaos[1].megno
+        # Another start is another motion, and the own one stays.
+        other = system.solve(own.y[:, -1], step=0.1, end=1)
+        # A fluid keeps its coefficients as a matrix, so that they are rounded once.
+        assert np.abs(other.y[:, 0] - own.y[:, -1]).max() < 1e-15 and (system.solve(step=0.1, end=1).y == own.y).all()
 
 
 @pytest.mark.parametrize(
@@ -266,6 +286,10 @@ def test_the_program_computes_the_same_bytes(program, tmp_path):
         (lambda: VibratingLattice(4, 1.0).solve(np.ones((4, 3)), step=0.1, end=1), r"S \(4, 3\), q \(4,\), p \(4,\); got"),
         (lambda: SpinLattice(4, 1.0).section({"tilt": 1}, "S", step=0.1, end=1), "has no sections"),
         (lambda: SpinLattice(4, 1.0).solve({"tilt": 1}, step=0.1, end=1, scheme="spherical-midpoint"), "no collective spherical-midpoint"),
+        (lambda: SphereFluid(4).solve(step=0.1, end=1), "y0 is missing: this system was made without a start"),
+        (lambda: lyapunov(SpinLattice(4, 1.0), step=0.1, end=1), "y0 is missing: this system was made without a start"),
+        (lambda: SphereFluid(4, np.ones((7, 14))), "without a mean"),
+        (lambda: ManyVortices([1.0, 2.0], [[1, 0, 0]]), r"must have the shape \(2, 3\), got \(1, 3\)"),
         (lambda: SphereFluid(4).solve({}, step=0.1, end=1), "coefficients must be given, or vorticity"),
         (lambda: SpinLattice(4, 1.0).solve({"tilt": 1}, step=0.1, end=1)["q"], "the arrays are S, got 'q'"),
     ],

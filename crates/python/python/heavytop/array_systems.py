@@ -179,8 +179,8 @@ class SpinLattice(ArraySystem):
         shape: the number of spins along each axis; S has the shape (*shape, 3).
         exchange: J of neighbours, for all axes or for each; positive for a ferromagnet.
         anisotropy: K; positive for an easy axis.
-        axis: a, of which the direction counts.
         field: B.
+        axis: a, of which the direction counts.
         bonds: rows (d1, d2, d3, J) of further bonds, each to the spin at that offset.
         periodic: whether the axes are rings or have open ends, for all axes or for each.
 
@@ -202,8 +202,8 @@ class SpinLattice(ArraySystem):
         shape: ArrayLike,
         exchange: Optional[ArrayLike] = None,
         anisotropy: Optional[float] = None,
-        axis: ArrayLike = (0.0, 0.0, 1.0),
         field: Optional[ArrayLike] = None,
+        axis: ArrayLike = (0.0, 0.0, 1.0),
         bonds: Optional[ArrayLike] = None,
         periodic: Union[bool, Sequence[bool]] = True,
     ) -> None:
@@ -257,20 +257,31 @@ class SphereFluid(ArraySystem):
 
     Args:
         size: N; harmonics of degree below N are kept.
+        vorticity: a start as values on a grid, for runs that are given none.
+        coefficients: a start as rows (l, m, re, im), instead.
         rotation: the angular velocity of the sphere.
 
     Example:
         A Rossby-Haurwitz wave on a sphere at rest keeps the size of its coefficients:
 
-        >>> fluid = SphereFluid(12)
-        >>> run = fluid.solve({"coefficients": [[1, 0, 1, 0], [4, 3, 0.2, 0]]}, step=0.05, end=1)
+        >>> fluid = SphereFluid(12, coefficients=[[1, 0, 1, 0], [4, 3, 0.2, 0]])
+        >>> run = fluid.solve(step=0.05, end=1)
         >>> wave = fluid.harmonics(run.y)[:, 4, 3]
         >>> bool(abs(abs(wave) - 0.2).max() < 1e-9), run.deviation("Z") < 1e-12
         (True, True)
     """
 
-    def __init__(self, size: int, rotation: float = 0.0) -> None:
+    def __init__(
+        self,
+        size: int,
+        vorticity: Optional[ArrayLike] = None,
+        coefficients: Optional[ArrayLike] = None,
+        rotation: float = 0.0,
+    ) -> None:
         super().__init__("sphere-fluid", {"size": count("size", size, 2), "rotation": rotation})
+        starts = {"vorticity": vorticity, "coefficients": coefficients}
+        given = {name: values for name, values in starts.items() if values is not None}
+        self._first = self.start(**given) if given else None
 
     def _formulation_of_tangents(self) -> str:
         return "direct"
@@ -311,16 +322,18 @@ class SphereFluid(ArraySystem):
 class ManyVortices(ArraySystem):
     """Point vortices on the unit sphere, as many as there are strengths; one array m (N, 3), the positions times the strengths.
 
-    A start is given by `{"positions": array of shape (N, 3)}`, by m, or by `{"seed": 1}` at random. `Vortices` has up
-    to 48 by a formula, with sections. Conserved are h, the moment of vorticity (M1, M2, M3), and C = sum |x_i|^2.
+    A start is given by the positions, here or as `{"positions": array of shape (N, 3)}`, by m, or by `{"seed": 1}` at random.
+    `Vortices` has up to 48 by a formula, with sections. Conserved are h, the moment of vorticity (M1, M2, M3), and C = sum |x_i|^2.
 
     Args:
         strengths: the circulation of each vortex, m^2/s.
+        positions: on the unit sphere, of shape (N, 3), for runs that are given no start.
     """
 
-    def __init__(self, strengths: ArrayLike) -> None:
+    def __init__(self, strengths: ArrayLike, positions: Optional[ArrayLike] = None) -> None:
         self._strengths = numbers("strengths", strengths)
         super().__init__("vortices", {"strengths": self._strengths})
+        self._first = None if positions is None else self.start(positions=positions)
 
     def _shapes_of_start(self) -> dict[str, tuple[int, ...]]:
         return {"positions": self.shapes["m"]}

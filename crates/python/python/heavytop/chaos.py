@@ -58,7 +58,7 @@ class Chaos:
 
 def lyapunov(
     system: Union[Top, Sequence[Top], System],
-    y0: Any,
+    y0: Any = None,
     *,
     step: float,
     end: float,
@@ -78,7 +78,7 @@ def lyapunov(
     Args:
         system: a top or a system; or a sequence of n tops, one for each state.
         y0: the initial state, shape (d,), for a top (Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3); or n states, shape (d, n). A
-            state of a system may be given as for its `solve`, and several as a list of states by name.
+            state of a system may be given, or left out, as for its `solve`, and several as a list of states by name.
         step: the time step.
         end: the end: a multiple of the step, to within 1e-9 of itself. Before 0 the indicators are those of the motion
             backward in time.
@@ -111,6 +111,8 @@ def lyapunov(
     """
     tops = [] if isinstance(system, System) else natives(system)
     dimension = system.dimension if isinstance(system, System) else 6
+    if y0 is None and not isinstance(system, System):
+        raise ValueError("y0 is missing: a top is made without a start")
     states = system._many_states("y0", y0) if isinstance(system, System) else array("y0", y0)
     if states.ndim not in (1, 2) or states.shape[0] != dimension:
         raise ValueError(f"y0 must have the shape ({dimension},) or ({dimension}, n), got {states.shape}")

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Optional
+from typing import Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .arguments import array, numbers
+from .arguments import array, count, numbers
 from .solution import Floats
 from .system import System
 from .system_description import State
@@ -92,15 +92,23 @@ class RigidBody(System):
     L12), with the moments of inertia J_2 + J_3 and so on.
 
     Args:
-        moments: the second moments of the mass along each axis, kg m^2.
+        dimension: n, which may be left out, as in `RigidBody(moments)`.
+        moments: the n second moments of the mass along each axis, kg m^2.
 
     Example:
-        >>> RigidBody([1, 1.5, 2, 2.5]).coordinates
+        >>> RigidBody(4, [1, 1.5, 2, 2.5]).coordinates
         ('L12', 'L13', 'L14', 'L23', 'L24', 'L34')
     """
 
-    def __init__(self, moments: ArrayLike) -> None:
-        super().__init__(kind="rigid-body", parameters={"moments": numbers("moments", moments)})
+    def __init__(self, dimension: Union[int, ArrayLike, None] = None, moments: Optional[ArrayLike] = None) -> None:
+        if moments is None:
+            dimension, moments = None, dimension
+        if moments is None:
+            raise ValueError("moments are missing: the second moments of the mass along each axis")
+        given = numbers("moments", moments)
+        if dimension is not None and count("dimension", dimension, 2) != len(given):
+            raise ValueError(f"moments must have the shape ({dimension},), one for each of {dimension} axes, got {given.shape}")
+        super().__init__(kind="rigid-body", parameters={"moments": given})
 
 
 class TopOnBase(System):
@@ -190,25 +198,30 @@ class SpinChain(_Vectors):
 class Vortices(_Vectors):
     """Point vortices on the unit sphere; coordinates m_1, m_2, ..., the positions times the strengths.
 
-    A start is given by the positions, an array of shape (N, 3).
+    A start is given by the positions, an array of shape (N, 3), here or to `solve`.
 
     Args:
         strengths: the circulation of each vortex, m^2/s; up to 48. `ManyVortices` has more.
+        positions: on the unit sphere, of shape (N, 3), for runs that are given no start.
 
     Example:
         Two equal vortices turn about the point between them, at the rate k/(4 pi) for a right angle:
 
-        >>> pair = Vortices([1.0, 1.0])
-        >>> run = pair.solve([[1, 0, 0], [0, 1, 0]], step=0.1, end=10)
+        >>> pair = Vortices([1.0, 1.0], [[1, 0, 0], [0, 1, 0]])
+        >>> run = pair.solve(step=0.1, end=10)
         >>> pair.positions(run.y).shape
         (101, 2, 3)
         >>> bool(abs(pair.positions(run.y)[-1].sum(axis=0) - [1, 1, 0]).max() < 1e-13)
         True
     """
 
-    def __init__(self, strengths: ArrayLike) -> None:
+    def __init__(self, strengths: ArrayLike, positions: Optional[ArrayLike] = None) -> None:
         self._strengths = numbers("strengths", strengths)
         super().__init__(kind="vortices", parameters={"strengths": self._strengths})
+        if positions is not None:
+            if np.shape(positions) not in self._shapes_of_state():
+                raise ValueError(f"positions must have the shape {self._shapes_of_state()[0]}, got {np.shape(positions)}")
+            self._first = self._state(positions)
 
     def _state(self, y0: State) -> Floats:
         if not hasattr(y0, "keys") and np.shape(y0) in self._shapes_of_state():

@@ -108,7 +108,7 @@ class System(SystemDescription):
 
     def solve(
         self,
-        y0: State,
+        y0: Optional[State] = None,
         t: Optional[ArrayLike] = None,
         *,
         step: Optional[float] = None,
@@ -123,7 +123,8 @@ class System(SystemDescription):
 
         Args:
             y0: the state at t = 0: the coordinates in their order, or their values by name, such as
-                `{"Pi": [2, 3, 4], "Gamma": [0.6, 0, 0.8]}`.
+                `{"Pi": [2, 3, 4], "Gamma": [0.6, 0, 0.8]}`. It may be left out where the system was made with a start, such
+                as `Vortices(strengths, positions)`.
             t: the times of the samples, instead of an end: they begin at 0 or later and do not decrease, or begin at 0 or
                 earlier and do not increase. Without `step` they must be equally spaced from 0, and their distance is the
                 step.
@@ -176,7 +177,7 @@ class System(SystemDescription):
         self._warn_of_end(columns.states, 3)
         return self._solved(solution(columns, self.invariants, run, estimate, has_events=events is not None))
 
-    def _solve_at(self, y0: State, t: ArrayLike, step: Any, end: Any, names: Any, others: tuple[int, Events]) -> Solution:
+    def _solve_at(self, y0: Optional[State], t: ArrayLike, step: Any, end: Any, names: Any, others: tuple[int, Events]) -> Solution:
         times = array("t", t)
         if end is not None or others != (1, None):
             raise ValueError("end, every and events go with step, not with t: write step and end instead of t")
@@ -202,7 +203,7 @@ class System(SystemDescription):
 
     def section(
         self,
-        y0: State,
+        y0: Optional[State],
         surface: Function,
         *,
         value: float = 0.0,
@@ -218,7 +219,7 @@ class System(SystemDescription):
         The start is no crossing, even if it lies on the surface.
 
         Args:
-            y0: the state at t = 0, as for `solve`.
+            y0: the state at t = 0, as for `solve`; None for the start that the system was made with.
             surface: a coordinate, a formula or a Python function of the coordinates. An angle, such as
                 "atan2(Gamma2, Gamma1)", passes its value once per turn.
             value: its value on the surface.
@@ -257,8 +258,8 @@ class System(SystemDescription):
     def _solved(self, run: Solution) -> Solution:
         return run
 
-    def _run(self, y0: State, step: float, method: tuple[Any, Any, Any]) -> Run:
-        return Run(self._system, (self._state(y0).tolist(), step, self._method(*method)), self._names)
+    def _run(self, y0: Optional[State], step: float, method: tuple[Any, Any, Any]) -> Run:
+        return Run(self._system, (self._start(y0).tolist(), step, self._method(*method)), self._names)
 
 
 def is_course(times: Floats) -> bool:

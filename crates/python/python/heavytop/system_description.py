@@ -25,6 +25,9 @@ State = Union[ArrayLike, Mapping[str, ArrayLike]]
 class SystemDescription:
     """A Lie algebra, and a Hamiltonian h on its dual, with what is known of them. `System` describes the arguments."""
 
+    _first: Optional[Floats] = None
+    """The start that the system was made with."""
+
     def __init__(
         self,
         algebra: Optional[str] = None,
@@ -144,6 +147,14 @@ class SystemDescription:
             raise ValueError(f"{name} must have the shape ({d},) or ({d}, n), got {states.shape}")
         return states
 
+    def _start(self, y0: Optional[State]) -> Floats:
+        """Returns the coordinates of one state, or of the start that the system was made with."""
+        if y0 is not None:
+            return self._state(y0)
+        if self._first is None:
+            raise ValueError("y0 is missing: this system was made without a start")
+        return self._first
+
     def _state(self, y0: State) -> Floats:
         """Returns the coordinates of one state."""
         if isinstance(y0, Mapping):
@@ -160,7 +171,9 @@ class SystemDescription:
         return f"({self.dimension},)"
 
     def _many_states(self, name: str, y: Any) -> Floats:
-        """Returns one state of shape (d,) or n of shape (d, n), which may be given by name, too."""
+        """Returns one state of shape (d,) or n of shape (d, n), which may be given by name, too, or left out."""
+        if y is None:
+            return self._start(None)
         if isinstance(y, Mapping) or not isinstance(y, (list, tuple)) and np.shape(y) in self._shapes_of_state():
             return self._state(y)
         if isinstance(y, (list, tuple)) and y and all(isinstance(one, Mapping) for one in y):
