@@ -1,12 +1,10 @@
 //! A family of motions of a system of arrays.
 
 use super::course::Course;
-use super::family::{Family, own_integration, require_apart};
+use super::family::{Family, drift_columns, end_columns, own_integration, shared_columns};
 use super::measured_motion::Drift;
-use super::varied_number::{VariedNumber, shared_numbers};
-use crate::configuration::{
-    Column, Config, Integration, Observable, Parameter, SweepAxis, SystemConfig,
-};
+use super::varied_number::VariedNumbers;
+use crate::configuration::{Column, Config, Integration, Observable, SweepAxis, SystemConfig};
 use crate::errors::{Error, SweepError, SystemTableError};
 use crate::runs::Schedule;
 use collective_integrators::{AnyState, Start};
@@ -23,8 +21,7 @@ pub(in crate::commands::sweep) struct ArrayFamily {
     table: SystemConfig,
     /// The system with the configured parameters.
     system: ArraySystem,
-    /// The number of each axis.
-    numbers: Vec<VariedNumber>,
+    numbers: VariedNumbers,
     method: Method,
 }
 
@@ -48,16 +45,7 @@ impl ArrayFamily {
         config: &Config,
         axes: &[SweepAxis],
     ) -> Result<(Self, Integration), Error> {
-        let of_axis = |axis: &SweepAxis| match &axis.parameter {
-            Parameter::System(parameter) => VariedNumber::of(parameter, table, None),
-            Parameter::Top(parameter) => Err(SweepError::OfAnother {
-                parameter: parameter.name().into(),
-                of: "a top",
-                has: "vary system.parameters.NAME or system.initial.NAME".into(),
-            }),
-        };
-        let numbers = axes.iter().map(of_axis).collect::<Result<Vec<_>, _>>()?;
-        require_apart(axes, &numbers, |one, other| one == other)?;
+        let numbers = VariedNumbers::of(axes, table, None)?;
         let start = table.array_start(&system)?;
         let observables = config.sweep.as_ref().map_or(Vec::new(), |all| all.observables.clone());
         let needs_tangents = observables.iter().any(|observable| observable.tangents() > 0);
@@ -86,9 +74,7 @@ impl ArrayFamily {
     /// If there is none, it has another number of coordinates than the configured one, or its motion turns too far in a step.
     fn at(&self, values: &[f64], step: f64) -> Result<(ArraySystem, Vec<f64>), Error> {
         let mut table = self.table.clone();
-        for (varied, value) in self.numbers.iter().zip(values) {
-            varied.set(*value, &mut table, &mut []);
-        }
+        self.numbers.set(values, &mut table, &mut []);
         let system = table.array_system()?.ok_or(SystemTableError::Missing("kind"))?;
         let (found, expected) = (system.dimension(), self.system.dimension());
         if found != expected {
@@ -150,35 +136,20 @@ impl Family for ArrayFamily {
                 if found > most {
                     return Err(SweepError::WideState { found, most });
                 }
-                let names = (&self.system as &dyn Model).columns();
-                let column = |name: &String| Column::linear(name, &format!("{name} at the end"));
-                Ok(names.iter().map(column).collect())
+                Ok(end_columns((&self.system as &dyn Model).columns()))
             }
-            Observable::InvariantDrift => {
-                let column = |name: &String| {
-                    Column::logarithmic(&format!("drift_{name}"), &format!("deviation of {name}"))
-                };
-                Ok(names(&self.system).iter().map(column).collect())
-            }
-            shared if Self::OBSERVABLES.contains(&shared) => Ok(shared.columns()),
-            other => {
-                let has = Self::OBSERVABLES.map(Observable::name).to_vec();
-                Err(SweepError::OfTops { observable: other.name(), has })
-            }
+            Observable::InvariantDrift => Ok(drift_columns(names(&self.system))),
+            other => shared_columns(other, &Self::OBSERVABLES),
         }
     }
 
     fn labels(&self) -> Vec<String> {
-        self.numbers.iter().map(|varied| varied.label(None)).collect()
+        self.numbers.labels(None)
     }
 
     fn shared(&self) -> Vec<String> {
-        let parameters = shared_numbers(&self.table.parameters, "", |name, index| {
-            self.numbers.contains(&VariedNumber::Parameter(name.into(), index))
-        });
-        let start = shared_numbers(&self.table.initial, "(0)", |name, index| {
-            self.numbers.contains(&VariedNumber::Start(name.into(), index))
-        });
+        let parameters = self.numbers.shared_parameters(&self.table);
+        let start = self.numbers.shared_start(&self.table);
         [self.system.about().to_owned()].into_iter().chain(parameters).chain(start).collect()
     }
 

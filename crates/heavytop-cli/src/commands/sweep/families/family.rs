@@ -82,6 +82,35 @@ impl dyn Family + '_ {
     }
 }
 
+/// Returns a column for the largest deviation of each of these quantities.
+pub(super) fn drift_columns(names: impl IntoIterator<Item = String>) -> Vec<Column> {
+    let column = |name: String| {
+        Column::logarithmic(&format!("drift_{name}"), &format!("deviation of {name}"))
+    };
+    names.into_iter().map(column).collect()
+}
+
+/// Returns a column for each of these coordinates at the end.
+pub(super) fn end_columns(names: impl IntoIterator<Item = String>) -> Vec<Column> {
+    let column = |name: String| Column::linear(&name, &format!("{name} at the end"));
+    names.into_iter().map(column).collect()
+}
+
+/// Returns the columns of an observable that has the same ones for every system.
+///
+/// # Errors
+/// [`SweepError::OfTops`] if it is none of those that a family has.
+pub(super) fn shared_columns(
+    observable: Observable,
+    observables: &[Observable],
+) -> Result<Vec<Column>, SweepError> {
+    if observables.contains(&observable) {
+        return Ok(observable.columns());
+    }
+    let has = observables.iter().copied().map(Observable::name).collect();
+    Err(SweepError::OfTops { observable: observable.name(), has })
+}
+
 /// Returns the integrator of a sweep whose `[integrator]` is empty.
 pub(super) fn own_integration(formulation: Formulation) -> Integration {
     Integration { formulation, step: 0.1, ..Integration::default() }

@@ -1,13 +1,11 @@
 //! A family of motions of a Lie–Poisson system.
 
 use super::course::Course;
-use super::family::{Family, own_integration, require_apart};
+use super::family::{Family, drift_columns, end_columns, own_integration, shared_columns};
 use super::gauge::{Gauge, Quantity, in_columns};
 use super::measured_motion::measure;
-use super::varied_number::{VariedNumber, component, shared_numbers};
-use crate::configuration::{
-    Column, Config, Integration, Observable, Parameter, SweepAxis, SystemConfig,
-};
+use super::varied_number::{VariedNumber, VariedNumbers, component};
+use crate::configuration::{Column, Config, Integration, Observable, SweepAxis, SystemConfig};
 use crate::errors::{Error, SweepError};
 use crate::pictures::caption::{number, vector_of};
 use crate::vocabulary::brief;
@@ -25,8 +23,7 @@ pub(in crate::commands::sweep) struct SystemFamily {
     system: FormulaSystem,
     /// The configured initial state.
     start: Vec<f64>,
-    /// The number of each axis.
-    numbers: Vec<VariedNumber>,
+    numbers: VariedNumbers,
     /// Whether all members have the same algebra.
     has_one_algebra: bool,
     method: Method,
@@ -54,18 +51,7 @@ impl SystemFamily {
     ) -> Result<(Self, Integration), Error> {
         let system = table.formula_system()?;
         let (start, algebra) = (table.start(&system)?, system.algebra());
-        let of_axis = |axis: &SweepAxis| match &axis.parameter {
-            Parameter::System(parameter) => {
-                VariedNumber::of(parameter, table, Some(algebra.coordinates()))
-            }
-            Parameter::Top(parameter) => Err(SweepError::OfAnother {
-                parameter: parameter.name().into(),
-                of: "a top",
-                has: "vary system.parameters.NAME or system.initial.NAME".into(),
-            }),
-        };
-        let numbers = axes.iter().map(of_axis).collect::<Result<Vec<_>, _>>()?;
-        require_apart(axes, &numbers, |one, other| one == other)?;
+        let numbers = VariedNumbers::of(axes, table, Some(algebra.coordinates()))?;
         let varied = numbers.iter().filter_map(VariedNumber::parameter);
         let has_one_algebra = !table.brackets_contain(varied);
         let own = own_integration(SystemConfig::formulation_of_many(algebra));
@@ -84,9 +70,7 @@ impl SystemFamily {
     /// motion turns too far in a step.
     fn system(&self, values: &[f64], step: f64) -> Result<(FormulaSystem, Vec<f64>), Error> {
         let (mut table, mut start) = (self.table.clone(), self.start.clone());
-        for (varied, value) in self.numbers.iter().zip(values) {
-            varied.set(*value, &mut table, &mut start);
-        }
+        self.numbers.set(values, &mut table, &mut start);
         let is_same = self.numbers.iter().all(|varied| varied.parameter().is_none());
         let system = match is_same {
             true => self.system.clone(),
@@ -94,9 +78,7 @@ impl SystemFamily {
         };
         // A start that is given by positions, say, depends on the parameters.
         start = table.start(&system)?;
-        self.numbers.iter().zip(values).for_each(|(varied, value)| {
-            varied.set(*value, &mut table, &mut start);
-        });
+        self.numbers.set(values, &mut table, &mut start);
         // Whether a Casimir is a polynomial may depend on the parameters; how many there are, on the kind of the algebra.
         let independent = |system: &FormulaSystem| {
             system.casimirs().len() + system.missing_casimirs().unwrap_or_default()
@@ -121,19 +103,10 @@ impl SystemFamily {
         ["h".to_owned()].into_iter().chain(casimirs)
     }
 
-    /// Returns the parameters that all members share, in the words of a caption.
-    fn shared_parameters(&self) -> Vec<String> {
-        shared_numbers(&self.table.parameters, "", |name, index| {
-            self.numbers.contains(&VariedNumber::Parameter(name.into(), index))
-        })
-    }
-
     /// Returns what all members share of the initial state, in the words of a caption.
     fn shared_start(&self) -> Vec<String> {
         if self.numbers.iter().any(|varied| matches!(varied, VariedNumber::Start(..))) {
-            return shared_numbers(&self.table.initial, "(0)", |name, index| {
-                self.numbers.contains(&VariedNumber::Start(name.into(), index))
-            });
+            return self.numbers.shared_start(&self.table);
         }
         self.shared_coordinates().collect()
     }
@@ -145,7 +118,7 @@ impl SystemFamily {
             let values = self.start.get(places.clone()).unwrap_or_default();
             let symbol = |i: usize| {
                 let varied = VariedNumber::Coordinate(places.start + i);
-                self.numbers.contains(&varied).then(|| component(name, i))
+                self.numbers.contain(&varied).then(|| component(name, i))
             };
             match values {
                 [_] if symbol(0).is_some() => None,
@@ -177,16 +150,8 @@ impl Family for SystemFamily {
 
     fn columns(&self, observable: Observable) -> Result<Vec<Column>, SweepError> {
         match observable {
-            Observable::FinalState => {
-                let names = self.system.algebra().coordinates().names();
-                Ok(names.map(|name| Column::linear(&name, &format!("{name} at the end"))).collect())
-            }
-            Observable::InvariantDrift => {
-                let column = |name: String| {
-                    Column::logarithmic(&format!("drift_{name}"), &format!("deviation of {name}"))
-                };
-                Ok(self.conserved().map(column).collect())
-            }
+            Observable::FinalState => Ok(end_columns(self.system.algebra().coordinates().names())),
+            Observable::InvariantDrift => Ok(drift_columns(self.conserved())),
             lifted if lifted.tangents() > 0 && !self.descends() => Err(SweepError::Lifted {
                 observable: lifted.name(),
                 formulation: self.method.formulation().name(),
@@ -198,17 +163,13 @@ impl Family for SystemFamily {
                 };
                 Ok(self.conserved().map(column).collect())
             }
-            shared if Self::OBSERVABLES.contains(&shared) => Ok(shared.columns()),
-            other => {
-                let has = Self::OBSERVABLES.map(Observable::name).to_vec();
-                Err(SweepError::OfTops { observable: other.name(), has })
-            }
+            other => shared_columns(other, &Self::OBSERVABLES),
         }
     }
 
     fn labels(&self) -> Vec<String> {
         let coordinates = self.system.algebra().coordinates();
-        self.numbers.iter().map(|varied| varied.label(Some(coordinates))).collect()
+        self.numbers.labels(Some(coordinates))
     }
 
     fn shared(&self) -> Vec<String> {
@@ -218,7 +179,8 @@ impl Family for SystemFamily {
         let casimirs = self.conserved().skip(1).zip(casimirs);
         let casimirs =
             casimirs.map(|(name, formula)| format!("{name} = {}", brief::text(&formula)));
-        let numbers = self.shared_parameters().into_iter().chain(self.shared_start());
+        let numbers =
+            self.numbers.shared_parameters(&self.table).into_iter().chain(self.shared_start());
         [hamiltonian].into_iter().chain(casimirs).chain(numbers).collect()
     }
 

@@ -1,6 +1,9 @@
-//! The number of a system that an axis of a sweep varies.
+//! The numbers of a system that the axes of a sweep vary.
 
-use crate::configuration::{Numbers, SystemConfig, SystemParameter, SystemTable};
+use super::family::require_apart;
+use crate::configuration::{
+    Numbers, Parameter, SweepAxis, SystemConfig, SystemParameter, SystemTable,
+};
 use crate::errors::SweepError;
 use crate::pictures::caption::{number, vector_of};
 use crate::vocabulary::suggestion::suggestion;
@@ -90,6 +93,68 @@ impl VariedNumber {
     }
 }
 
+/// The number that each axis of a sweep varies.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct VariedNumbers(Vec<VariedNumber>);
+
+impl VariedNumbers {
+    /// Finds the numbers of the axes.
+    ///
+    /// # Errors
+    /// If an axis varies no number of the system, or two axes vary the same.
+    pub fn of(
+        axes: &[SweepAxis],
+        table: &SystemConfig,
+        coordinates: Option<&Coordinates>,
+    ) -> Result<Self, SweepError> {
+        let of_axis = |axis: &SweepAxis| match &axis.parameter {
+            Parameter::System(parameter) => VariedNumber::of(parameter, table, coordinates),
+            Parameter::Top(parameter) => Err(SweepError::OfAnother {
+                parameter: parameter.name().into(),
+                of: "a top",
+                has: "vary system.parameters.NAME or system.initial.NAME".into(),
+            }),
+        };
+        let numbers = axes.iter().map(of_axis).collect::<Result<Vec<_>, _>>()?;
+        require_apart(axes, &numbers, |one, other| one == other)?;
+        Ok(Self(numbers))
+    }
+
+    /// Returns the number of each axis.
+    pub fn iter(&self) -> impl Iterator<Item = &VariedNumber> {
+        self.0.iter()
+    }
+
+    /// Returns whether an axis varies this number.
+    pub fn contain(&self, number: &VariedNumber) -> bool {
+        self.0.contains(number)
+    }
+
+    /// Sets the numbers to these values.
+    pub fn set(&self, values: &[f64], table: &mut SystemConfig, start: &mut [f64]) {
+        self.0.iter().zip(values).for_each(|(varied, value)| varied.set(*value, table, start));
+    }
+
+    /// Returns the name of each number, as [`VariedNumber::label`].
+    pub fn labels(&self, coordinates: Option<&Coordinates>) -> Vec<String> {
+        self.0.iter().map(|varied| varied.label(coordinates)).collect()
+    }
+
+    /// Returns the parameters that all members share, in the words of a caption.
+    pub fn shared_parameters(&self, table: &SystemConfig) -> Vec<String> {
+        shared_numbers(&table.parameters, "", |name, index| {
+            self.contain(&VariedNumber::Parameter(name.into(), index))
+        })
+    }
+
+    /// Returns what all members share of `[system.initial]`, in the words of a caption.
+    pub fn shared_start(&self, table: &SystemConfig) -> Vec<String> {
+        shared_numbers(&table.initial, "(0)", |name, index| {
+            self.contain(&VariedNumber::Start(name.into(), index))
+        })
+    }
+}
+
 /// Returns the number of components of a list, and `None` for a number.
 fn components(numbers: &Numbers) -> Option<usize> {
     match numbers {
@@ -100,7 +165,7 @@ fn components(numbers: &Numbers) -> Option<usize> {
 
 /// Returns the numbers of `[system.parameters]`, or of `[system.initial]` with "(0)", that all members share, in the words of
 /// a caption; of long lists only how many numbers they have.
-pub(super) fn shared_numbers(
+fn shared_numbers(
     numbers: &BTreeMap<String, Numbers>,
     suffix: &str,
     is_varied: impl Fn(&str, Option<usize>) -> bool,
