@@ -94,6 +94,7 @@ pub use analysis::nutation::Nutation;
 pub use analysis::section::Section;
 pub use analysis::section_error::SectionError;
 pub use analysis::surface::{Surface, SurfaceVariable};
+pub use attitude::euler_angles::EulerAngles;
 pub use attitude::step_rotation::{TurnedStep, Turning, TurningFlows};
 pub use attitude::with_attitude::{WithAttitude, attitude_of_vertical};
 pub use closed_forms::elliptic::{JacobiElliptic, jacobi_elliptic};

@@ -69,6 +69,7 @@ pub use models::conserved::Conserved;
 pub use models::model::Model;
 pub use models::step_angle;
 pub use models::top_in_axes::TopInAxes;
+pub use models::top_quantity::TopQuantity;
 pub use runs::experiment::Experiment;
 pub use runs::moment::{Moment, Saved};
 pub use runs::pace::Pace;

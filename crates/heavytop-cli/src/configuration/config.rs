@@ -2,16 +2,19 @@
 
 use super::integrator_config::{Integration, IntegratorConfig};
 use super::notes::Notes;
+use super::output_config::OutputConfig;
 use super::section_config::SectionConfig;
 use super::sweep::SweepConfig;
 use super::system::SystemConfig;
 use super::top::{About, BodyConfig, InitialConfig, LeftOut};
 use crate::errors::{CheckpointError, Error, SystemTableError};
+use crate::runs::top_columns::TopColumns;
 use crate::runs::{Experiment, Pace, Schedule, TopInAxes};
 use heavytop::methods::Formulation;
 use heavytop::{HeavyTop, PrincipalAxes};
 use lie_poisson::{InstructionSet, Se3Dual};
 use lie_poisson_formula_systems::FormulaSystem;
+use lie_poisson_runs::TopQuantity;
 use lie_poisson_runs::step_angle::require_sane_step;
 use serde::{Deserialize, Serialize};
 
@@ -48,22 +51,6 @@ pub struct Config {
     pub left_out: LeftOut,
 }
 
-/// The table `[output]`: what is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct OutputConfig {
-    /// The number n such that every n-th step is written, and the last one.
-    pub every: u64,
-    /// Whether the attitude is written.
-    pub attitude: bool,
-}
-
-impl Default for OutputConfig {
-    fn default() -> Self {
-        Self { every: 1, attitude: false }
-    }
-}
-
 impl Config {
     /// Returns the run that the configuration asks for, of a top or of a system.
     ///
@@ -87,22 +74,58 @@ impl Config {
     /// # Errors
     /// If there is no such run.
     pub fn experiment(&self) -> Result<Experiment<TopInAxes>, Error> {
-        let model = TopInAxes { top: self.top()?, axes: self.axes()? };
+        let model = self.model()?;
         let start = TopInAxes::coordinates(&self.start()?).to_vec();
         let integration = self.integrator.or(Integration::default());
         let Integration { formulation, step, end, .. } = integration;
         let method = integration.method()?;
-        let OutputConfig { every, attitude } = self.output;
+        let (every, attitude) = (self.output.every, self.output.has_attitude());
         if every == 0 {
             let (name, range) = ("output.every", "at least 1");
             return Err(Error::OutOfRange { name, range, value: 0.0 });
         }
         if attitude && formulation == Formulation::Direct {
-            return Err(lie_poisson_runs::RunFailure::NoAttitude { formulation }.into());
+            return Err(self.without_attitude(formulation));
         }
         require_sane_step(&model, &start, step)?;
+        self.top_columns()?;
         let pace = Pace { schedule: Schedule::new(step, end)?, every };
         Ok(Experiment { model, start, method, pace, attitude })
+    }
+
+    /// Returns the top, and the attitude from which it starts if the configuration gives one.
+    ///
+    /// # Errors
+    /// If there is no such top.
+    pub(crate) fn model(&self) -> Result<TopInAxes, Error> {
+        let initial_attitude = self.initial.attitude()?;
+        Ok(TopInAxes { top: self.top()?, axes: self.axes()?, initial_attitude })
+    }
+
+    /// Returns the error that a formulation has no attitude, which the output needs.
+    fn without_attitude(&self, formulation: Formulation) -> Error {
+        let needs = |quantity: &&TopQuantity| !self.output.attitude && quantity.needs_attitude();
+        match self.output.columns.iter().find(needs) {
+            Some(quantity) => Error::ColumnOfAttitude { column: quantity.name(), formulation },
+            None => lie_poisson_runs::RunFailure::NoAttitude { formulation }.into(),
+        }
+    }
+
+    /// Returns the columns of a top that are written on request, if there are any.
+    ///
+    /// # Errors
+    /// If there is no such top, or the distance of its centre of mass, which the height needs, is not known.
+    pub(crate) fn top_columns(&self) -> Result<Option<TopColumns>, Error> {
+        let quantities = self.output.columns.clone();
+        if quantities.is_empty() {
+            return Ok(None);
+        }
+        let has_length = self.body.weight_moment.is_none() && !self.leaves_out_position();
+        if quantities.contains(&TopQuantity::Height) && !has_length {
+            return Err(Error::UnknownLength);
+        }
+        let (length, has_attitude) = (self.body.length, self.output.has_attitude());
+        Ok(Some(TopColumns { model: self.model()?, length, quantities, has_attitude }))
     }
 
     /// Returns the instruction set on which the last digits of a run depend here: [`Method::instructions`].
@@ -158,6 +181,9 @@ impl Config {
     fn require_output_of_system(&self) -> Result<(), Error> {
         if self.output.attitude {
             return Err(SystemTableError::NoAttitude.into());
+        }
+        if let Some(quantity) = self.output.columns.first() {
+            return Err(SystemTableError::ColumnOfTops { column: quantity.name() }.into());
         }
         if self.output.every == 0 {
             let (name, range) = ("output.every", "at least 1");

@@ -6,15 +6,17 @@ mod system;
 mod section_config;
 mod sweep;
 mod notes;
+mod output_config;
 mod config;
 mod preset;
 mod as_toml;
 
 pub(crate) use as_toml::inner;
+pub use config::Config;
 pub(crate) use config::IMPOSSIBLE;
-pub use config::{Config, OutputConfig};
 pub use integrator_config::{Instructions, Integration, IntegratorConfig};
 pub use notes::Notes;
+pub use output_config::OutputConfig;
 pub use preset::Preset;
 pub use section_config::SectionConfig;
 pub use sweep::{

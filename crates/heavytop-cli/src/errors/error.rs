@@ -8,7 +8,7 @@ use super::quotation::Quotation;
 use crate::vocabulary::brief::{number, text};
 use crate::vocabulary::suggestion::suggestion;
 use collective_integrators::{EventError, RunError, VariationalError};
-use heavytop::methods::MethodError;
+use heavytop::methods::{Formulation, MethodError};
 use heavytop::{SectionError, TopError};
 use lie_poisson_formula_systems::FormulaSystemError;
 use std::io;
@@ -190,6 +190,17 @@ pub enum Error {
     /// There is an azimuth of Γ(0), but no inclination.
     #[error("[initial] azimuth needs inclination: the two give the vertical")]
     AzimuthAlone,
+    /// The height of the centre of mass is asked for, and its distance from the support is not known.
+    #[error("the column height needs the distance from the support to the centre of mass")]
+    UnknownLength,
+    /// A column needs the attitude, which the formulation does not determine.
+    #[error("the column {column} needs the attitude, which {formulation} does not determine")]
+    ColumnOfAttitude {
+        /// The name of the column.
+        column: &'static str,
+        /// The formulation.
+        formulation: Formulation,
+    },
     /// No run can start from the initial state.
     #[error("[initial]")]
     Start(#[from] RunError),

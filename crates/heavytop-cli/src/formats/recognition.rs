@@ -1,6 +1,6 @@
 //! How the files of a run are recognised: by the names of their columns, or by their metadata.
 
-use super::run_table::{MORE_TOP_COLUMNS, TOP_COLUMNS};
+use super::run_table::{TOP_COLUMNS, is_top_column};
 use crate::files::Kind;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use std::fs::File;
@@ -34,7 +34,7 @@ fn is_run(head: &[u8]) -> bool {
     let is_header = header.strip_prefix(TOP_COLUMNS).is_none_or(|others| {
         let mut others = others.split(',');
         // The columns end, or go on with a comma.
-        others.next() == Some("") && others.all(|name| MORE_TOP_COLUMNS.contains(&name))
+        others.next() == Some("") && others.all(is_top_column)
     });
     let count = header.split(',').count();
     let numbers: Option<Vec<f64>> = lines.next().map_or(Some(vec![0.0; count]), |row| {

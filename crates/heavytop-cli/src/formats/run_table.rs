@@ -3,6 +3,7 @@
 use crate::errors::SystemTableError;
 use crate::runs::Experiment;
 use lie_poisson::{Covector, Pair, Se3Dual};
+use lie_poisson_runs::TopQuantity;
 use std::array;
 use std::collections::HashSet;
 use std::ops::Range;
@@ -14,7 +15,13 @@ pub const STATE_COLUMNS: &str = "t,Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3";
 pub(super) const TOP_COLUMNS: &str = "t,Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3,h,f1,f2";
 
 /// The names of the columns that the tables of some tops have after these.
-pub(super) const MORE_TOP_COLUMNS: [&str; 8] = ["C", "K", "G", "f3", "qw", "qx", "qy", "qz"];
+const MORE_TOP_COLUMNS: [&str; 8] = ["C", "K", "G", "f3", "qw", "qx", "qy", "qz"];
+
+/// Returns whether the table of some top has a column of this name after those of all tops.
+pub(super) fn is_top_column(name: &str) -> bool {
+    let mut requested = TopQuantity::NAMES.iter().flat_map(|(_, quantity)| quantity.columns());
+    MORE_TOP_COLUMNS.contains(&name) || requested.any(|column| *column == name)
+}
 
 /// The names of the columns of the attitude.
 pub const ATTITUDE_COLUMNS: &str = "qw,qx,qy,qz";
@@ -85,11 +92,12 @@ pub struct RunTable {
 }
 
 impl RunTable {
-    /// Creates the table of a run: t, the coordinates, the conserved quantities, and the attitude if it is followed.
+    /// Creates the table of a run: t, the coordinates, the conserved quantities, the attitude if it is followed, and the
+    /// quantities of a top that are asked for.
     ///
     /// # Errors
     /// If a coordinate, or a vector of them, has the name of another column.
-    pub fn new(run: &Experiment) -> Result<Self, SystemTableError> {
+    pub fn new(run: &Experiment, requested: &[TopQuantity]) -> Result<Self, SystemTableError> {
         let mut table = Self { columns: Vec::new(), arrays: Vec::new(), invariants: 0..0 };
         table.push("t", ["t".into()], None);
         for (name, columns) in run.coordinates() {
@@ -102,6 +110,10 @@ impl RunTable {
         table.invariants = first..table.columns.len();
         if run.attitude {
             table.push("q", ATTITUDE_COLUMNS.split(',').map(String::from), None);
+        }
+        for quantity in requested {
+            let columns = quantity.columns().iter().map(|column| (*column).to_owned());
+            table.push(&quantity.name().replace('-', "_"), columns, None);
         }
         require_distinct(table.columns.iter().map(String::as_str))?;
         require_distinct(table.arrays.iter().map(|array| array.name.as_str()))?;

@@ -101,6 +101,7 @@ fn commented(config: &Config) -> String {
         &[
             (format!("every = {}", output.every), "keep every n-th step, and the last"),
             (format!("attitude = {}", output.attitude), "whether to write the attitude"),
+            ("# columns = [\"Omega\", \"euler-angles\"]".into(), "or height, kinetic, ..."),
         ],
     );
     text + "\n# heavytop help section and heavytop help sweep show [section] and [sweep]. They choose formulation,\n\

@@ -24,6 +24,10 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
             let note = "write 0.0".to_string();
             vec![repair(&format!("initial.angular_momentum[{axis}]"), note)]
         }
+        Error::Vertical(TopError::NotUnit { name: "attitude", .. }) => {
+            let note = "write a quaternion of length 1, or `normalise = true`".to_string();
+            vec![repair("initial.attitude", note)]
+        }
         Error::Vertical(top) => vec![of_vector("initial", top, config.initial.direction())],
         Error::Start(_) if config.system.is_some() => vec![repair("system.initial", String::new())],
         Error::AzimuthAlone => vec![repair("initial.azimuth", "write both".into())],
@@ -66,6 +70,14 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
                 repair("integrator.formulation", format!("write `scheme` too, such as {first}")),
             ]
         }
+        Error::UnknownLength => {
+            let note = "write `mass`, `gravity` and `length` instead".to_string();
+            vec![repair("body.weight_moment", note), repair("output.columns", "".into())]
+        }
+        Error::ColumnOfAttitude { .. } => vec![
+            repair("integrator.formulation", "write `collective`, `reduced` or `splitting`".into()),
+            repair("output.columns", "leave it out".into()),
+        ],
         Error::Run(RunFailure::NoAttitude { .. }) => vec![
             repair("output.attitude", "write false, or choose another formulation".into()),
             repair("integrator.formulation", "write `collective`, `reduced` or `splitting`".into()),

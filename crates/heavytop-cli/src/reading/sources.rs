@@ -184,19 +184,22 @@ const WEIGHT: &str = "weight_moment";
 /// The keys of `[body]` for the factors of the weight moment.
 const FACTORS: [&str; 3] = ["mass", "gravity", "length"];
 
-/// Keys of `[initial]` that say the same thing in two ways.
-const RIVALS: [(&[&str], &[&str]); 2] =
-    [(&["angular_momentum"], &["angular_velocity"]), (&["vertical"], &["inclination", "azimuth"])];
+/// Keys of `[initial]` that say the same thing in several ways.
+const RIVALS: [&[&[&str]]; 2] = [
+    &[&["angular_momentum"], &["angular_velocity"]],
+    &[&["vertical"], &["inclination", "azimuth"], &["attitude"], &["euler_angles"]],
+];
 
 /// Removes the keys whose rivals override them.
 fn remove_rivals(base: &mut Table, over: &Table) {
     let table = "initial";
     let Some(over) = over.get(table).and_then(Value::as_table) else { return };
     let Some(base) = base.get_mut(table).and_then(Value::as_table_mut) else { return };
-    for (one, other) in RIVALS {
-        for (given, rivals) in [(one, other), (other, one)] {
-            if given.iter().any(|key| over.contains_key(*key)) {
-                rivals.iter().for_each(|key| drop(base.remove(*key)));
+    for ways in RIVALS {
+        for (place, keys) in ways.iter().enumerate() {
+            if keys.iter().any(|key| over.contains_key(*key)) {
+                let others = ways.iter().enumerate().filter(|(other, _)| *other != place);
+                others.flat_map(|(_, keys)| *keys).for_each(|key| drop(base.remove(*key)));
             }
         }
     }

@@ -289,6 +289,29 @@ impl HeavyTop {
         Vector3::new(pi.x * inverse.x, pi.y * inverse.y, pi.z * inverse.z)
     }
 
+    /// Returns the kinetic energy T = ½ Π·I⁻¹Π, J.
+    ///
+    /// ```
+    /// use heavytop::HeavyTop;
+    /// use lie_poisson::{Hamiltonian, Se3Dual};
+    /// use nalgebra::Vector3;
+    /// let top = HeavyTop::kovalevskaya(1.0, 1.0)?;
+    /// let mu = Se3Dual::new(Vector3::new(2.0, 3.0, 4.0), Vector3::new(0.6, 0.0, 0.8));
+    /// let (kinetic, potential) = (top.kinetic_energy(&mu.0.0), top.potential_energy(&mu.0.1));
+    /// assert_eq!([kinetic, potential, kinetic + potential], [11.25, 0.6, top.value(&mu)]);
+    /// # Ok::<(), heavytop::TopError>(())
+    /// ```
+    #[cfg_attr(optimised, inline(always))]
+    pub fn kinetic_energy<T: Real>(&self, pi: &Vector3<T>) -> T {
+        pi.dot(&self.angular_velocity(pi)) * 0.5
+    }
+
+    /// Returns the potential energy V = m g l c·Γ, J: zero where the centre of mass is level with the support.
+    #[cfg_attr(optimised, inline(always))]
+    pub fn potential_energy<T: Real>(&self, gamma: &Vector3<T>) -> T {
+        gamma.dot(&self.center_of_mass.map(T::from_f64)) * self.weight_moment
+    }
+
     /// Returns the diagonal of I⁻¹.
     #[inline]
     pub(crate) fn inverse_inertia(&self) -> Vector3<f64> {
@@ -310,8 +333,7 @@ impl<T: Real> Hamiltonian<HeavyTopSpace, T> for HeavyTop {
     #[cfg_attr(optimised, inline(always))]
     fn value(&self, mu: &Se3Dual<T>) -> T {
         let Covector(Pair(pi, gamma)) = mu;
-        let height = gamma.dot(&self.center_of_mass.map(T::from_f64));
-        pi.dot(&self.angular_velocity(pi)) * 0.5 + height * self.weight_moment
+        self.kinetic_energy(pi) + self.potential_energy(gamma)
     }
 
     #[cfg_attr(optimised, inline(always))]

@@ -76,7 +76,7 @@ impl Top {
         let axes = body.axes().map_err(refused)?;
         let top = body.top(&axes).map_err(refused)?;
         let given = Some(body).filter(|_| is_central || !axes.is_aligned());
-        Ok(Self { model: TopInAxes { top, axes }, given })
+        Ok(Self { model: TopInAxes { axes, ..top.into() }, given })
     }
 
     /// Returns the reason why no body has these moments about the support, if there is one.

@@ -4,8 +4,9 @@ use collective_integrators::{CHECKPOINT, Integrator, Start, Step, StepError};
 use lie_poisson::Real;
 use momentum_map::LiftError;
 
-/// The number of coordinates times steps after which an integrator of a large system forgets what it knows of earlier steps.
-const WORK: usize = 1 << 22;
+/// The number of coordinates times steps after which an integrator of a large system forgets what it knows of earlier steps:
+/// seconds of work, so that forgetting costs little, and an interrupted run can be resumed soon.
+const WORK: usize = 1 << 24;
 
 /// Returns the number of steps after which a run of a system of this dimension can be resumed, a power of two.
 pub(super) fn resumable_after(dimension: usize) -> u64 {

@@ -3,5 +3,6 @@
 pub(crate) mod conserved;
 pub(crate) mod model;
 pub(crate) mod top_in_axes;
+pub(crate) mod top_quantity;
 mod formula_system;
 pub mod step_angle;

@@ -17,6 +17,9 @@ pub struct TopInAxes {
     pub top: HeavyTop,
     /// The principal axes, in the axes of the users.
     pub axes: PrincipalAxes,
+    /// The attitude at the start, in the axes of the users; `None` for the shortest rotation of Γ to the vertical. Only
+    /// its turn about the vertical counts, since (Π, Γ) determines the rest.
+    pub initial_attitude: Option<Quaternion>,
 }
 
 impl TopInAxes {
@@ -44,6 +47,14 @@ impl TopInAxes {
         })
     }
 
+    /// Returns the turn about the vertical from the shortest attitude in the principal axes to the attitude at a start.
+    pub(crate) fn turn_about_vertical(&self, start: &Se3Dual) -> Quaternion {
+        let given = self.axes.state_from_principal(start);
+        let shortest = self.axes.attitude_from_principal(&attitude_of_vertical(&start.0.1));
+        let initial = self.initial_attitude.unwrap_or_else(|| attitude_of_vertical(&given.0.1));
+        initial * shortest.conjugate()
+    }
+
     /// Returns (Π, Γ) in the axes of the users.
     #[must_use]
     pub fn given(&self, mu: &Se3Dual) -> Se3Dual {
@@ -54,7 +65,7 @@ impl TopInAxes {
 impl From<HeavyTop> for TopInAxes {
     /// Returns the top whose states are given and read in its principal axes.
     fn from(top: HeavyTop) -> Self {
-        Self { top, axes: PrincipalAxes::aligned(top.inertia()) }
+        Self { top, axes: PrincipalAxes::aligned(top.inertia()), initial_attitude: None }
     }
 }
 
@@ -125,17 +136,14 @@ impl Model for TopInAxes {
         }
     }
 
-    /// Turns the attitude about the vertical, so that in the axes of the users it begins as the shortest one, as it does in
-    /// the principal axes.
+    /// Turns the attitude about the vertical, so that in the axes of the users it begins as the given one, or else as the
+    /// shortest one, as it does in the principal axes.
     fn present_attitude(&self, start: &[f64]) -> Box<dyn Fn(Quaternion) -> Quaternion + '_> {
-        let (axes, start) = (&self.axes, Self::state(start));
-        if axes.is_aligned() {
+        if self.axes.is_aligned() && self.initial_attitude.is_none() {
             return Box::new(|attitude| attitude);
         }
-        let given = axes.state_from_principal(&start);
-        let shortest = axes.attitude_from_principal(&attitude_of_vertical(&start.0.1));
-        let turn = attitude_of_vertical(&given.0.1) * shortest.conjugate();
-        Box::new(move |attitude| turn * axes.attitude_from_principal(&attitude))
+        let turn = self.turn_about_vertical(&Self::state(start));
+        Box::new(move |attitude| turn * self.axes.attitude_from_principal(&attitude))
     }
 
     /// f₃ is a component of Π in principal axes.

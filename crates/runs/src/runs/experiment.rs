@@ -61,8 +61,11 @@ impl Experiment<TopInAxes> {
     where
         V: FnMut(u64, f64, &Se3Dual, Option<&Quaternion>) -> Result<(), E>,
     {
+        let model = &self.model;
+        let turn = model.initial_attitude.map(|_| model.turn_about_vertical(&self.initial_state()));
         self.visit_samples(None, &mut |sample| {
             let attitude = self.attitude.then(|| attitude_of(sample.state.as_slice()));
+            let attitude = attitude.map(|attitude| turn.map_or(attitude, |turn| turn * attitude));
             let momentum = TopInAxes::state(sample.momentum.as_slice());
             visit(sample.step, sample.time, &momentum, attitude.as_ref())
         })

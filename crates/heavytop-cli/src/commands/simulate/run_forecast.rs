@@ -16,7 +16,7 @@ use std::time::Instant;
 /// If there is no such run, or the output has no format.
 pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
     let run = config.run()?;
-    let table = RunTable::new(&*run)?;
+    let table = RunTable::new(&run, &config.output.columns)?;
     Format::of(out)?.require_columns(&table)?;
     let numbers = run.pace.rows().saturating_mul(table.width() as u64);
     of(run.pace, numbers, in_text(numbers), out)
@@ -29,13 +29,17 @@ pub fn forecast(config: &Config, out: &Path) -> Result<Forecast, Error> {
 /// If there is no such run, the output has no format, or one of the first steps fails.
 pub fn dry_run(config: &Config, out: &Path) -> Result<Forecast, Error> {
     let (format, run) = (Format::of(out)?, config.run()?);
-    let table = RunTable::new(&*run)?;
+    let table = RunTable::new(&run, &config.output.columns)?;
     format.require_columns(&table)?;
     let width = table.width() as u64;
+    let (requested, mut row) = (config.top_columns()?, Vec::new());
     let (begun, mut encoded, mut tried, mut rows) = (Instant::now(), Vec::new(), 1, 0_u64);
     let outcome = run.follow(None, |moment| {
         if run.pace.keeps(moment.step) {
-            format.append(moment.row, &mut encoded);
+            row.clear();
+            row.extend_from_slice(moment.row);
+            requested.iter().for_each(|columns| columns.complete(&mut row));
+            format.append(&row, &mut encoded);
             rows += 1;
         }
         tried = moment.step.max(1);

@@ -59,7 +59,8 @@ pub fn simulate(
 ) -> Result<RunSummary, Error> {
     let run = config.run()?;
     let (run, config) = (&*run, config.with_integrator());
-    let (table, pace) = (RunTable::new(run)?, run.pace);
+    let (table, pace) = (RunTable::new(run, &config.output.columns)?, run.pace);
+    let requested = config.top_columns()?;
     let described = Described::new(run)?;
     let formulas = described.casimirs.iter().flatten();
     let casimirs = formulas.filter_map(|(_, text)| text.as_str().map(String::from)).collect();
@@ -79,8 +80,9 @@ pub fn simulate(
         if pace.keeps(moment.step) {
             last.clear();
             last.extend_from_slice(moment.row);
-            deviations.add(table.invariant_values(moment.row));
-            recording.append(moment.row)?;
+            requested.iter().for_each(|columns| columns.complete(&mut last));
+            deviations.add(table.invariant_values(&last));
+            recording.append(&last)?;
         }
         renewal.pause(moment.step, || moment.saved(), &mut recording, &deviations)
     });

@@ -181,6 +181,7 @@ impl TopParameter {
                 // The number is one of the vector, even if the configuration has angles.
                 initial.vertical = initial.direction();
                 (initial.inclination, initial.azimuth) = (None, None);
+                (initial.attitude, initial.euler_angles) = (None, None);
                 part_of(&mut initial.vertical, part);
             }
         }

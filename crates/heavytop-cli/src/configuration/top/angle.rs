@@ -145,6 +145,29 @@ pub(super) fn azimuth<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>,
     AZIMUTH.read(from)
 }
 
+/// Any finite Euler angle.
+const EULER_ANGLE: AngleRange = AngleRange {
+    name: "euler_angles",
+    range: "finite",
+    contains: f64::is_finite,
+    least: "-∞",
+    greatest: "∞",
+};
+
+/// Reads the Euler angles (φ, θ, ψ) of a table, in radians.
+pub(super) fn euler_angles<'de, D: Deserializer<'de>>(
+    from: D,
+) -> Result<Option<[f64; 3]>, D::Error> {
+    let Some(written) = Option::<[Quantity; 3]>::deserialize(from)? else { return Ok(None) };
+    let mut angles = [0.0; 3];
+    for (angle, quantity) in angles.iter_mut().zip(&written) {
+        *angle = EULER_ANGLE
+            .radians(quantity)
+            .map_err(|what| D::Error::custom(format!("`{}` {what}", EULER_ANGLE.name)))?;
+    }
+    Ok(Some(angles))
+}
+
 /// Returns the angle of a text with a unit, in radians.
 fn with_unit(text: &str) -> Option<f64> {
     let units = [("degrees", PI / 180.0), ("deg", PI / 180.0), ("°", PI / 180.0), ("rad", 1.0)];

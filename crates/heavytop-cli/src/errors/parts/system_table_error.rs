@@ -77,6 +77,14 @@ pub enum SystemTableError {
     /// The attitude of a system that is no body is asked for.
     #[error("a system has no attitude")]
     NoAttitude,
+    /// A column is asked for that only tops have.
+    #[error(
+        "the column {column} is one of tops: a system has its coordinates and what it conserves"
+    )]
+    ColumnOfTops {
+        /// The name of the column.
+        column: &'static str,
+    },
 }
 
 impl SystemTableError {
@@ -114,6 +122,7 @@ impl SystemTableError {
             Self::Parameter { table, name, .. } => vec![(format!("system.{table}.{name}"), "")],
             Self::Formula(error) => keys_of(error),
             Self::NoAttitude => key("output.attitude", "write false, or leave it out"),
+            Self::ColumnOfTops { .. } => key("output.columns", "leave it out"),
         }
     }
 }

@@ -29,8 +29,8 @@ frame), h (J), f1 = |Γ|², f2 = Π·Γ (kg m²/s), then K ((kg m²/s)⁴) for a
 ((kg m²/s)³) for a Goryachev–Chaplygin top with Π·Γ = 0, f3 = Π·c (kg m²/s) for a sphere whose
 centre of mass is on no axis, then where asked for the attitude qw,qx,qy,qz: the unit
 quaternion of the rotation R from the body frame to the spatial one, Γ = Rᵀe3, which starts with the
-shortest rotation that has it. Row 0 is the initial state. Each number reads back as the same 64-bit
-number.
+shortest rotation that has it, or with the attitude of [initial]. Then the columns that [output]
+columns asks for. Row 0 is the initial state. Each number reads back as the same 64-bit number.
 
 Formats, by the file's ending:
   .csv      text; also on standard output, for --out -
@@ -91,6 +91,8 @@ Configuration: every key may be left out, and has then the value below.
   # as in \"90 deg\", 0 by default, instead of vertical:
   # Γ(0) = (sin i cos a, sin i sin a, cos i). i is the angle from e3 to Γ(0): at 0 the axis e3 is
   # up, at π down. a is counted from e1, positive towards e2: at i = π/2, a = 0 the axis e1 is up.
+  # attitude, a unit quaternion [w, x, y, z] of R, or euler_angles [φ, θ, ψ] in radians or as in
+  # \"30 deg\", instead of vertical: R = R3(φ) R1(θ) R3(ψ), Γ = (sin θ sin ψ, sin θ cos ψ, cos θ).
 
   [integrator]
   formulation = \"collective\"         # or reduced, direct, splitting; see below
@@ -103,6 +105,10 @@ Configuration: every key may be left out, and has then the value below.
   [output]
   every = 1                          # keep every n-th step; the last step is always kept
   attitude = false                   # whether to write the attitude; direct has none
+  columns = []                       # more columns, in the axes of [body]:
+  # \"Omega\" (rad/s), \"height\" of the centre of mass above the support (m), \"kinetic\" and
+  # \"potential\" energy (J); and with the attitude, which is then written, too: \"euler-angles\"
+  # phi, theta, psi (rad; R as above) and \"spatial-momentum\" RΠ (kg m²/s).
 
 Formulations:
   collective   on T*C², read through M: T*C² → se(3)*

@@ -51,6 +51,62 @@ fn the_angles_give_the_vertical() {
     assert!((row[4] - 3.0_f64.cos()).abs() < 2e-16 && (row[5] - 3.0_f64.sin()).abs() < 2e-16);
 }
 
+/// A quaternion, or Euler angles, give the vertical Γ = Rᵀe₃ = (sin θ sin ψ, sin θ cos ψ, cos θ) and the attitude.
+#[test]
+fn the_attitude_gives_the_vertical() {
+    let (theta, psi) = (0.9_f64, -2.0_f64);
+    let gamma = [theta.sin() * psi.sin(), theta.sin() * psi.cos(), theta.cos()];
+    let close = |found: &[f64], expected: &[f64]| {
+        let error = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(found.len() == expected.len() && error < 1e-15, "{found:?} {expected:?}");
+    };
+    let angles = format!("initial.euler_angles = [0.4, {theta}, {psi}]\noutput.attitude = true");
+    let row = first(&angles, &[]);
+    close(&row[4..7], &gamma);
+    let q = &row[row.len() - 4..];
+    // The quaternion is the same attitude, and angles of an assignment override it.
+    let quaternion = format!("initial.attitude = {q:?}\noutput.attitude = true");
+    let again = first(&quaternion, &[]);
+    close(&again[4..7], &gamma);
+    close(&again[again.len() - 4..], q);
+    let double = format!("initial.attitude = {:?}\ninitial.normalise = true", [2.0, 0.0, 0.0, 0.0]);
+    close(&first(&double, &[])[4..7], &[0.0, 0.0, 1.0]);
+    close(&first(&quaternion, &["--set", "initial.vertical=[0,0,1]"])[4..7], &[0.0, 0.0, 1.0]);
+    close(
+        &first(
+            "initial.vertical = [0, 0, 1]",
+            &["--set", &angles.lines().next().unwrap().replace(' ', "")],
+        )[4..7],
+        &gamma,
+    );
+    // Another precession is the same motion in another direction of space.
+    let turned = first(&angles.replace("0.4", "1.4"), &[]);
+    close(&turned[..row.len() - 4], &row[..row.len() - 4]);
+    assert!((turned[row.len() - 4] - q[0]).abs() > 1e-2);
+    for (text, part) in [
+        ("initial.attitude = [1, 1, 0, 0]", "attitude must be a unit vector"),
+        (
+            "initial = { attitude = [0, 0, 0, 0], normalise = true }",
+            "attitude must be a unit vector",
+        ),
+        (
+            "initial = { attitude = [1, 0, 0, 0], vertical = [0, 0, 1] }",
+            "`attitude` gives the vertical",
+        ),
+        (
+            "initial = { euler_angles = [0, 1, 0], inclination = 1 }",
+            "`euler_angles` give the vertical",
+        ),
+        ("initial = { euler_angles = [0, 1, 0], attitude = [1, 0, 0, 0] }", "excludes `attitude`"),
+        ("initial.euler_angles = [0, inf, 0]", "must be finite"),
+    ] {
+        let folder = Folder::new();
+        folder.write("a.toml", text);
+        let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
+        assert!(run.code() == 2 && run.stderr().contains(part), "{text}: {}", run.stderr());
+    }
+}
+
 #[test]
 fn vectors_are_scaled_if_asked() {
     let row = first("initial.vertical = [3, 0, 4]\ninitial.normalise = true", &[]);

@@ -6,5 +6,6 @@ mod forecasts;
 mod formats;
 mod methods;
 mod numbers_in_all_units;
+mod requested_columns;
 mod same_bytes;
 mod simulate;

@@ -18,12 +18,17 @@ const ASSIGNMENTS: [(&str, &str); 4] = [
 ];
 
 /// Configurations of runs of tops.
-const RUNS: [(&str, &str); 12] = [
+const RUNS: [(&str, &str); 14] = [
     ("Error::Body", "body.mass = -1"),
     ("Error::Vertical", "initial.vertical = [0, 0, 2]"),
     ("Error::Spin", "body = { inertia = [2, 2, 0], center_of_mass = [0, 0, 1] }"),
     ("Error::CentralMoments", "body.inertia_about = 'center-of-mass'"),
     ("Error::AzimuthAlone", "initial.azimuth = 1"),
+    ("Error::UnknownLength", "output.columns = ['height']"),
+    (
+        "Error::ColumnOfAttitude",
+        "integrator.formulation = 'direct'\noutput.columns = ['euler-angles']",
+    ),
     ("Error::Method", "integrator.formulation = 'splitting'"),
     ("Error::Run", "integrator.formulation = 'direct'\noutput.attitude = true"),
     ("Error::OutOfRange", "output.every = 0"),
@@ -34,7 +39,7 @@ const RUNS: [(&str, &str); 12] = [
 ];
 
 /// Configurations of runs of systems, below `[system]`.
-const SYSTEMS: [(&str, &str); 11] = [
+const SYSTEMS: [(&str, &str); 12] = [
     ("SystemTableError::Missing", "algebra = 'so(3)'"),
     (
         "SystemTableError::TwoAlgebras",
@@ -57,6 +62,7 @@ const SYSTEMS: [(&str, &str); 11] = [
         "algebra = 'so(3)'\nhamiltonian = 'Pi1'\ninitial_file = 'a.npz'",
     ),
     ("SystemTableError::NoAttitude", "hamiltonian = '1'\n[output]\nattitude = true"),
+    ("SystemTableError::ColumnOfTops", "hamiltonian = '1'\n[output]\ncolumns = ['height']"),
     ("SystemTableError::Top", "hamiltonian = '1'\n[body]\nmass = 2"),
 ];
 

@@ -3,6 +3,7 @@
 mod estimated_errors;
 mod attitude;
 mod descent;
+mod euler_angles;
 mod poincare;
 mod splittings;
 mod there_and_back;

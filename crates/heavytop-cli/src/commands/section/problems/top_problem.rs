@@ -53,7 +53,7 @@ impl TopProblem {
             ..Integration::default()
         };
         let method = config.integrator.or(own).method()?;
-        let model = TopInAxes { top, axes };
+        let model = TopInAxes { axes, ..top.into() };
         Ok((Self { section, method, model, body_warning }, own))
     }
 

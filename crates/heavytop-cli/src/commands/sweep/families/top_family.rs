@@ -90,8 +90,7 @@ impl TopFamily {
     pub fn top(&self, values: &[f64], step: f64) -> Result<(TopInAxes, Se3Dual), Error> {
         let (body, initial) = self.tables(values);
         let config = Config { body, initial, ..Config::default() };
-        let (model, start) =
-            (TopInAxes { top: config.top()?, axes: config.axes()? }, config.start()?);
+        let (model, start) = (config.model()?, config.start()?);
         require_sane_step(&model, &TopInAxes::coordinates(&start), step)?;
         Ok((model, start))
     }
