@@ -57,6 +57,7 @@ mod error;
 mod models;
 mod arrays;
 mod runs;
+mod reports;
 #[cfg(feature = "contests")]
 #[cfg_attr(docsrs, doc(cfg(feature = "contests")))]
 pub mod contests;
@@ -70,6 +71,9 @@ pub use models::model::Model;
 pub use models::step_angle;
 pub use models::top_in_axes::TopInAxes;
 pub use models::top_quantity::TopQuantity;
+pub use reports::report_line::ReportLine;
+pub use reports::steady_rotation::SteadyRotation;
+pub use reports::top_report::TopReport;
 pub use runs::experiment::Experiment;
 pub use runs::moment::{Moment, Saved};
 pub use runs::pace::Pace;

@@ -3,6 +3,7 @@
 pub mod simulate;
 pub mod reproduce;
 pub mod compare;
+pub mod report;
 pub mod section;
 pub mod animate;
 pub mod bench;

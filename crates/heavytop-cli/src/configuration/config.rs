@@ -111,6 +111,12 @@ impl Config {
         }
     }
 
+    /// Returns the distance from the support to the centre of mass, m, if the configuration gives it.
+    pub(crate) fn known_length(&self) -> Option<f64> {
+        let is_known = self.body.weight_moment.is_none() && !self.leaves_out_position();
+        is_known.then_some(self.body.length)
+    }
+
     /// Returns the columns of a top that are written on request, if there are any.
     ///
     /// # Errors
@@ -120,8 +126,7 @@ impl Config {
         if quantities.is_empty() {
             return Ok(None);
         }
-        let has_length = self.body.weight_moment.is_none() && !self.leaves_out_position();
-        if quantities.contains(&TopQuantity::Height) && !has_length {
+        if quantities.contains(&TopQuantity::Height) && self.known_length().is_none() {
             return Err(Error::UnknownLength);
         }
         let (length, has_attitude) = (self.body.length, self.output.has_attitude());

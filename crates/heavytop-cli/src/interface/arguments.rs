@@ -3,8 +3,8 @@
 use super::help::{
     ANIMATE, ANIMATE_EXAMPLES, BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES,
     COMPLETIONS_EXAMPLES, EXIT_CODES, EXPORT, EXPORT_EXAMPLES, INIT_EXAMPLES, MAN_EXAMPLES, PLOT,
-    PLOT_EXAMPLES, REPRODUCE, REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES, SIMULATE,
-    SIMULATE_EXAMPLES, SWEEP, SWEEP_EXAMPLES,
+    PLOT_EXAMPLES, REPORT, REPORT_EXAMPLES, REPRODUCE, REPRODUCE_EXAMPLES, SECTION,
+    SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES, SWEEP, SWEEP_EXAMPLES,
 };
 use crate::commands::export::ExportFormat;
 use crate::configuration::{Config, Notes, Preset};
@@ -99,6 +99,12 @@ pub(super) enum Command {
         /// The end of the interval, in seconds: a whole number of configured steps.
         #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
         end: Option<f64>,
+    },
+    /// Tell the precession, nutation and spin of a top, beside the formulas of textbooks.
+    #[command(long_about = REPORT, after_long_help = REPORT_EXAMPLES)]
+    Report {
+        #[command(flatten)]
+        top: Top,
     },
     /// Draw a Poincaré section of a top.
     #[command(long_about = SECTION, after_long_help = SECTION_EXAMPLES)]

@@ -13,6 +13,7 @@ use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
 use crate::commands::export::export;
 use crate::commands::plot::{PlotOptions, plot};
+use crate::commands::report::report;
 use crate::commands::reproduce::reproduce;
 use crate::commands::section::{self, section};
 use crate::commands::simulate::{self, Checkpoint, RunSummary, SimulateOptions, simulate};
@@ -47,7 +48,7 @@ pub fn main() -> ExitCode {
         Err(help) => (print_help(&help), false),
     };
     match done {
-        Err(error) if !error.is_closed_pipe() => report(&error, json),
+        Err(error) if !error.is_closed_pipe() => told(&error, json),
         _ => ExitCode::SUCCESS,
     }
 }
@@ -146,6 +147,9 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
                 closing.note(&notes);
                 Ok(())
             }),
+        Command::Report { top } => top
+            .noted(Replacing { force: false }, |config, _| report(&config))
+            .and_then(|(done, notes)| closing.print(&done, &notes)),
         Command::Init { file, preset, kind, replacing } => match kind {
             Some(kind) => init_system(&kind, file.as_deref(), replacing.force),
             None => init(preset, file.as_deref(), replacing.force),
@@ -300,7 +304,7 @@ fn watch(quiet: bool, safeguard: &Safeguard) -> Watch<'_> {
     Watch { stop: Some(interrupted()), quiet, safeguard }
 }
 
-fn report(error: &Error, json: bool) -> ExitCode {
+fn told(error: &Error, json: bool) -> ExitCode {
     if json {
         print_line(&Report::from(error));
     } else {

@@ -156,7 +156,7 @@ pub static WRITING: [Writing; 11] = [
 ];
 
 /// The commands that write to standard output only.
-const PRINTING: [&str; 4] = ["bench", "man", "completions", "help"];
+const PRINTING: [&str; 5] = ["bench", "report", "man", "completions", "help"];
 
 /// The commands that read an archive of a run, which `systems_of_arrays.rs` makes.
 const FROM_ARCHIVES: [&str; 2] = ["plot", "export"];

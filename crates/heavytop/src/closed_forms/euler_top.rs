@@ -77,6 +77,24 @@ impl EulerSolution {
         Ok(Self { start, orbit: Some(Orbit::through(&inertia, &start)?) })
     }
 
+    /// Returns the period 4K(m)/λ of Π, in seconds: infinite on the separatrix, and `None` if Π is constant.
+    ///
+    /// ```
+    /// use heavytop::{EulerSolution, RigidBody};
+    /// use nalgebra::Vector3;
+    /// let body = RigidBody::new(Vector3::new(1.0, 2.0, 3.0))?;
+    /// let start = Vector3::new(0.1, 2.0, 0.2);
+    /// let solution = EulerSolution::new(&body, start)?;
+    /// let period = solution.period().ok_or("no motion")?;
+    /// assert!((solution.at(period) - start).norm() < 1e-13);
+    /// assert!((solution.at(period / 2.0) - start).norm() > 1.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn period(&self) -> Option<f64> {
+        self.orbit.map(|orbit| 4.0 * orbit.functions.quarter_period() / orbit.rate)
+    }
+
     /// Returns Π(t), with t in seconds, or NaN if λt is not finite.
     #[must_use]
     pub fn at(&self, time: f64) -> Vector3<f64> {

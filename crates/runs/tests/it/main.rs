@@ -7,5 +7,6 @@ mod array_systems;
 mod contests;
 #[cfg(feature = "contests")]
 mod errors_of_runs;
+mod reports;
 mod rows_of_runs;
 mod support;

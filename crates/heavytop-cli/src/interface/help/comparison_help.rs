@@ -52,3 +52,26 @@ Examples:
   heavytop bench top.toml --threads 2
   heavytop bench --only midpoint --json
   heavytop bench --only \"splitting of order 4\" --tops 10000000";
+
+pub(crate) const REPORT: &str = "\
+Tell the precession, nutation and spin of a top, beside the formulas of textbooks.
+
+The top of the configuration is followed, with its method, to its end. The angles are those of the
+line from the support to the centre of mass: θ is its inclination from the vertical, φ its precession
+and ψ the spin about it. Of a body without weight they are those of a principal axis about the
+angular momentum L: the one about which the body goes round. Means are taken from the first highest
+point of the line to the last one; where there are no two, or θ is constant, over the whole run.
+
+Formulas stand where a textbook has them: for Lagrange's top (I1 = I2, centre of mass on e3) the
+precession and nutation of a fast top, and the closed form by an elliptic integral; for a free body
+the precession about L, the period of L in the body, and the time from flip to flip.
+
+Steady rotations turn about the vertical, which stands still in the body: Ω = ωΓ. Those with the
+vertical angular momentum of the run are listed, with how fast small disturbances grow, and how near
+the vertical of the run comes to them. With --json all numbers have every digit.";
+
+pub(crate) const REPORT_EXAMPLES: &str = "\
+Examples:
+  heavytop report --preset lagrange
+  heavytop report my-gyroscope.toml --set integrator.end=10
+  heavytop report --preset euler --json";

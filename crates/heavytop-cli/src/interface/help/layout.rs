@@ -144,6 +144,8 @@ mod tests {
             help::ANIMATE_EXAMPLES,
             help::BENCH,
             help::BENCH_EXAMPLES,
+            help::REPORT,
+            help::REPORT_EXAMPLES,
             help::INIT_EXAMPLES,
             help::MAN_EXAMPLES,
             help::COMPLETIONS_EXAMPLES,

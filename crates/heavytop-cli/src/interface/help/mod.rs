@@ -9,7 +9,9 @@ mod map_help;
 mod array_help;
 
 pub(crate) use array_help::{EXPORT, EXPORT_EXAMPLES, PLOT, PLOT_EXAMPLES};
-pub(crate) use comparison_help::{BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES};
+pub(crate) use comparison_help::{
+    BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES, REPORT, REPORT_EXAMPLES,
+};
 pub(crate) use map_help::{SECTION, SECTION_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
 pub(crate) use program_help::{COMPLETIONS_EXAMPLES, EXIT_CODES, INIT_EXAMPLES, MAN_EXAMPLES};
 pub(crate) use run_help::{

@@ -114,7 +114,7 @@ fn a_misspelt_command_gets_a_suggestion_everywhere() {
     assert!(!folder.heavytop(&["help", "xyz"]).stderr().contains("exist"));
 }
 
-const COMMANDS: [&str; 11] = [
+const COMMANDS: [&str; 12] = [
     "reproduce",
     "simulate",
     "compare",
@@ -122,6 +122,7 @@ const COMMANDS: [&str; 11] = [
     "sweep",
     "animate",
     "bench",
+    "report",
     "init",
     "man",
     "completions",

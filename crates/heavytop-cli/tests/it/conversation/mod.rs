@@ -3,3 +3,4 @@
 mod closing;
 mod manners;
 mod progress;
+mod report;
