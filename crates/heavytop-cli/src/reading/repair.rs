@@ -206,6 +206,7 @@ fn of_sweep(error: &SweepError, config: &Config) -> Vec<Repair> {
             let note = "write `angular_momentum`, or vary another number".to_string();
             vec![("initial.angular_velocity".into(), note)]
         }
+        SweepError::Momentum { axis } => of_axis(axis, "write `initial.angular_velocity` too"),
         SweepError::Matrix { axis } => of_axis(axis, "vary another number"),
         SweepError::Weight { axis } => of_axis(axis, "vary body.weight_moment"),
         SweepError::OfTops { .. } => vec![repair("observables", "leave it out")],

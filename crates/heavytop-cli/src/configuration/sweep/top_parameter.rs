@@ -23,6 +23,8 @@ pub enum TopParameter {
     CenterOfMass(Part),
     /// A component of the initial angular momentum Π(0), `initial.angular_momentum[i]`.
     AngularMomentum(usize),
+    /// A component of the initial angular velocity Ω(0), `initial.angular_velocity[i]`.
+    AngularVelocity(usize),
     /// A number of the direction Γ(0), `initial.vertical…`.
     Vertical(Part),
 }
@@ -57,6 +59,9 @@ impl TopParameter {
         ("initial.angular_momentum[0]", Self::AngularMomentum(0)),
         ("initial.angular_momentum[1]", Self::AngularMomentum(1)),
         ("initial.angular_momentum[2]", Self::AngularMomentum(2)),
+        ("initial.angular_velocity[0]", Self::AngularVelocity(0)),
+        ("initial.angular_velocity[1]", Self::AngularVelocity(1)),
+        ("initial.angular_velocity[2]", Self::AngularVelocity(2)),
         ("initial.vertical[0]", Self::Vertical(Component(0))),
         ("initial.vertical[1]", Self::Vertical(Component(1))),
         ("initial.vertical[2]", Self::Vertical(Component(2))),
@@ -69,6 +74,12 @@ impl TopParameter {
     /// # Errors
     /// Returns a message with the paths that there are.
     pub(super) fn by_name(name: &str) -> Result<Self, String> {
+        // The keys of `[initial]` for the angles of the vertical.
+        let name = match name {
+            "initial.inclination" => "initial.vertical.inclination",
+            "initial.azimuth" => "initial.vertical.azimuth",
+            name => name,
+        };
         by_name("parameter", Self::NAMES, name)
     }
 
@@ -95,6 +106,7 @@ impl TopParameter {
             Self::WeightMoment => "m g l (N m)".into(),
             Self::CenterOfMass(part) => of_vector("c", part),
             Self::AngularMomentum(i) => indexed("Π", i) + "(0) (kg m²/s)",
+            Self::AngularVelocity(i) => indexed("Ω", i) + "(0) (rad/s)",
             Self::Vertical(part) => of_vector("Γ(0)", part),
         }
     }
@@ -102,7 +114,7 @@ impl TopParameter {
     /// Returns whether the parameter is a number of `[body]`.
     #[must_use]
     pub fn is_of_body(self) -> bool {
-        !matches!(self, Self::AngularMomentum(_) | Self::Vertical(_))
+        !matches!(self, Self::AngularMomentum(_) | Self::AngularVelocity(_) | Self::Vertical(_))
     }
 
     /// Returns whether the parameter is a factor of the weight moment.
@@ -124,6 +136,12 @@ impl TopParameter {
     #[must_use]
     pub fn is_angular_momentum(self) -> bool {
         matches!(self, Self::AngularMomentum(_))
+    }
+
+    /// Returns whether the parameter is a component of the angular velocity.
+    #[must_use]
+    pub fn is_angular_velocity(self) -> bool {
+        matches!(self, Self::AngularVelocity(_))
     }
 
     /// Returns whether the parameter is a component of a unit vector.
@@ -177,6 +195,13 @@ impl TopParameter {
             Self::WeightMoment => body.weight_moment = Some(value),
             Self::CenterOfMass(part) => part_of(&mut body.center_of_mass, part),
             Self::AngularMomentum(i) => put(&mut initial.angular_momentum, i),
+            Self::AngularVelocity(i) => put(initial.angular_velocity.get_or_insert_default(), i),
+            Self::Vertical(Inclination) if initial.inclination.is_some() => {
+                initial.inclination = Some(value);
+            }
+            Self::Vertical(Azimuth) if initial.inclination.is_some() => {
+                initial.azimuth = Some(value);
+            }
             Self::Vertical(part) => {
                 // The number is one of the vector, even if the configuration has angles.
                 initial.vertical = initial.direction();

@@ -127,6 +127,12 @@ pub enum SweepError {
         /// The parameter of the axis.
         axis: String,
     },
+    /// An axis sets a component of the angular velocity of a configuration that does not give the others.
+    #[error("the axis {axis} needs [initial] angular_velocity, of which it varies a component")]
+    Momentum {
+        /// The parameter of the axis.
+        axis: String,
+    },
     /// An axis varies a principal moment of a body whose moments are a matrix.
     #[error(
         "the axis {axis} is a principal moment, and [body] inertia is a matrix; write principal moments"

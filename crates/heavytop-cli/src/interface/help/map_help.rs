@@ -153,8 +153,9 @@ What [integrator] leaves out: reduced, gauss-8, step 0.1 s, end 100 s.
 
 Parameters:
   body.inertia[i], body.mass, body.gravity, body.length, body.weight_moment, body.center_of_mass[i],
-  initial.angular_momentum[i], initial.vertical[i]                    i = 0, 1, 2
+  initial.angular_momentum[i], initial.angular_velocity[i], initial.vertical[i]       i = 0, 1, 2
   body.center_of_mass.inclination, body.center_of_mass.azimuth,
+  initial.inclination, initial.azimuth, which may be written as
   initial.vertical.inclination, initial.vertical.azimuth              rad, or as in \"30 deg\"
 with the unit vector (sin i cos a, sin i sin a, cos i) of inclination i and azimuth a.
 

@@ -340,3 +340,57 @@ fn a_sweep_of_which_all_tops_fail_has_failed() {
     assert!(failures(&rows(&folder, "made/sweep.parquet.partial")).iter().all(Option::is_some));
     assert!(!folder.path("made/sweep.partial").exists());
 }
+
+/// What `[initial]` can say is varied by its own keys: the motions are those of `simulate` at the same numbers.
+#[test]
+fn angular_velocities_and_angles_vary_as_the_initial_table_says_them() {
+    let folder = Folder::new();
+    let text = "[initial]\nangular_velocity = [0.5, 0.0, 4.0]\ninclination = 0.0\nazimuth = 0.7\n\
+                [integrator]\nformulation = 'reduced'\nstep = 0.05\nend = 2\n";
+    let axes = "[sweep]\nobservables = ['final-state']\n\
+                axes = [{ parameter = 'initial.angular_velocity[2]', from = 3, to = 5, count = 2 }, \
+                { parameter = 'initial.inclination', from = 0.4, to = 1.0, count = 2 }]\n";
+    folder.write("a.toml", &format!("{text}{axes}"));
+    let run = folder.heavytop(&["sweep", "a.toml", "--out", "map"]);
+    assert_eq!((run.code(), run.complaints().as_str()), (0, ""));
+    let rows = rows(&folder, "map/sweep.parquet");
+    assert_eq!(rows.len(), 4);
+    folder.write("b.toml", text);
+    let state = ["Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3"];
+    let ends: Vec<Vec<f64>> =
+        state.iter().map(|name| column(&rows, name).into_iter().flatten().collect()).collect();
+    for (place, (spin, inclination)) in
+        [(3, 0.4), (5, 0.4), (3, 1.0), (5, 1.0)].into_iter().enumerate()
+    {
+        let [spin, inclination] = [
+            format!("initial.angular_velocity=[0.5,0,{spin}]"),
+            format!("initial.inclination={inclination}"),
+        ];
+        let arguments = [
+            "simulate",
+            "b.toml",
+            "--out",
+            "b.csv",
+            "--force",
+            "--set",
+            &spin,
+            "--set",
+            &inclination,
+        ];
+        assert_eq!(folder.heavytop(&arguments).code(), 0);
+        let (_, table) = crate::program::numbers(&folder.read("b.csv"));
+        let end = &table.last().unwrap()[1..7];
+        let nearest = (0..4).map(|row| {
+            let differences = ends.iter().zip(end).map(|(column, x)| (column[row] - x).abs());
+            differences.fold(0.0, f64::max)
+        });
+        // Both make the same steps, by other code; each top is one of the table, and the others are elsewhere.
+        let found: Vec<f64> = nearest.collect();
+        let (near, far): (Vec<f64>, Vec<f64>) =
+            found.iter().partition(|difference| **difference < 1e-12);
+        assert!(
+            near.len() == 1 && far.iter().all(|difference| *difference > 1e-2),
+            "{place} {found:?}"
+        );
+    }
+}

@@ -93,7 +93,7 @@ const FAILING: &str =
 const BODY: &str = "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi3^2'\ninitial.Pi = [1, 0, 1]\n";
 
 /// Sweeps of tops.
-const SWEEPS: [(&str, &str); 13] = [
+const SWEEPS: [(&str, &str); 14] = [
     ("SweepError::NoAxes", "axes = []"),
     ("SweepError::NoObservables", "observables = []"),
     ("SweepError::Twice", "observables = ['megno', 'megno']"),
@@ -121,6 +121,10 @@ const SWEEPS: [(&str, &str); 13] = [
         "SweepError::Velocity",
         "axes = [{ parameter = 'initial.angular_momentum[0]', from = 1, to = 2, count = 2 }]\n\
          [initial]\nangular_velocity = [1, 0, 0]",
+    ),
+    (
+        "SweepError::Momentum",
+        "axes = [{ parameter = 'initial.angular_velocity[0]', from = 1, to = 2, count = 2 }]",
     ),
     (
         "SweepError::Matrix",

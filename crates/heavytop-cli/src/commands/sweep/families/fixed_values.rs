@@ -27,7 +27,9 @@ pub(super) fn fixed_values(
     }));
     values.extend(match initial.angular_velocity {
         // Π(0) = I Ω(0) differs from top to top if the moments do.
-        Some(velocity) => vector("Ω(0)", "Ω", velocity, " rad/s", |_| false),
+        Some(velocity) => {
+            vector("Ω(0)", "Ω", velocity, " rad/s", |i| changed(TopParameter::AngularVelocity(i)))
+        }
         None => vector("Π(0)", "Π", initial.angular_momentum, " kg m²/s", |i| {
             changed(TopParameter::AngularMomentum(i))
         }),

@@ -51,6 +51,10 @@ impl TopFamily {
         if let (Some(_), Some((parameter, _))) = (config.initial.angular_velocity, of_momentum) {
             return Err(SweepError::Velocity { axis: parameter.name().into() }.into());
         }
+        let of_velocity = parameters.iter().find(|(parameter, _)| parameter.is_angular_velocity());
+        if let (None, Some((parameter, _))) = (config.initial.angular_velocity, of_velocity) {
+            return Err(SweepError::Momentum { axis: parameter.name().into() }.into());
+        }
         config.require_position()?;
         let body = &config.body;
         for (parameter, _) in &parameters {
