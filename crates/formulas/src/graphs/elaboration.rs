@@ -128,6 +128,10 @@ impl Elaboration<'_> {
                 Value::Vector(values.iter().map(|&value| self.graph.number(value)).collect())
             }
             None => {
+                let count = self.names.numbered(name);
+                if count > 1 {
+                    return Err(Problem::NoVector { name: name.to_owned(), count });
+                }
                 let known = self.names.names().chain(RESERVED.iter().copied());
                 let suggestion = closest_name(name, known);
                 return Err(Problem::UnknownName { name: name.to_owned(), suggestion });

@@ -106,6 +106,15 @@ impl Vocabulary {
         }
     }
 
+    /// Returns how many scalars have the name followed by 1, 2, ….
+    pub(crate) fn numbered(&self, name: &str) -> usize {
+        let is_scalar = |number: &usize| {
+            let meaning = self.meanings.get(&format!("{name}{number}"));
+            matches!(meaning, Some(Meaning::Coordinate(_) | Meaning::Number(_)))
+        };
+        (1..).take_while(is_scalar).count()
+    }
+
     /// Returns all names, in alphabetical order.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.meanings.keys().map(String::as_str)

@@ -176,6 +176,17 @@ pub enum Problem {
         /// The closest name that is defined, if one is close.
         suggestion: Option<String>,
     },
+    /// The name is not defined, and the same name with the numbers from 1 on is that of scalars.
+    #[error(
+        "there is no vector `{name}`: `{name}1` to `{name}{count}` are numbers of their own; write them out, as in \
+         `{name}1*{name}1 + {name}2*{name}2`"
+    )]
+    NoVector {
+        /// The name that is not defined.
+        name: String,
+        /// How many scalars there are.
+        count: usize,
+    },
     /// The name before a pair of parentheses is not that of a function.
     #[error("there is no function `{name}`{}", meant(.suggestion.as_deref()))]
     UnknownFunction {

@@ -185,3 +185,19 @@ fn registers_have_a_limit() {
     let error = Formula::new(&factors.join("*"), &heavy_top()).unwrap_err();
     assert!(matches!(error.problem(), Problem::TooLarge { limit: 8192, .. }), "{error}");
 }
+
+/// Scalars S1, S2, S3 are no vector S, and the message says so.
+#[test]
+fn numbered_scalars_are_no_vector() {
+    let scalars = |names: &[&str]| {
+        let all = names.iter().try_fold(Coordinates::new(), |all, name| all.scalar(name));
+        Vocabulary::new(&all.unwrap(), &Parameters::new()).unwrap()
+    };
+    let told =
+        |names: &[&str], text: &str| Formula::new(text, &scalars(names)).unwrap_err().to_string();
+    let expected = "there is no vector `S`: `S1` to `S3` are numbers of their own; write them out, as in `S1*S1 + S2*S2`";
+    assert_eq!(told(&["S1", "S2", "S3"], "S·S"), expected);
+    // One number makes no vector, and a name that nothing is like is told as before.
+    assert_eq!(told(&["S1", "T"], "S·S"), "there is no `S`");
+    assert_eq!(told(&["S1", "S2"], "zebra"), "there is no `zebra`");
+}
