@@ -61,7 +61,10 @@ mod error;
 mod fonts;
 mod lettering;
 mod rendering;
+mod canvas;
 
+pub use canvas::svg_canvas::SvgCanvas;
+pub use canvas::svg_element::SvgElement;
 pub use error::PictureError;
 pub use lettering::boxes::{TextBox, boxes, width};
 pub use lettering::outlines::outlined;

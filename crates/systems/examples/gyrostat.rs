@@ -52,7 +52,7 @@ fn run(gyrostat: &Gyrostat, pi: Vector3<f64>, steps: usize) -> Result<Run, Box<d
 }
 
 /// Draws a sphere seen from the direction (1, 1, 0.7), with trajectories through points at equal angles from all axes.
-fn sphere(area: &Area<'_>, title: &str, gyrostat: &Gyrostat) -> Result<(), Box<dyn Error>> {
+fn sphere(area: &Area, title: &str, gyrostat: &Gyrostat) -> Result<(), Box<dyn Error>> {
     let turn = Rotation3::face_towards(&Vector3::new(1.0, 1.0, 0.7), &Vector3::z()).inverse();
     let (width, height) = area.dim_in_pixel();
     let (middle, radius) =
@@ -91,7 +91,7 @@ fn sphere(area: &Area<'_>, title: &str, gyrostat: &Gyrostat) -> Result<(), Box<d
 
 /// Draws the pieces of a curve on the near side solid, and the others pale.
 fn curve(
-    area: &Area<'_>,
+    area: &Area,
     points: &[Vector3<f64>],
     place: impl Fn(&Vector3<f64>) -> ((i32, i32), bool),
     colour: RGBColor,
@@ -123,7 +123,7 @@ fn draw(path: &Path, gyrostats: [&Gyrostat; 2]) -> Result<(), Box<dyn Error>> {
         {
             sphere(panel, title, gyrostat)?;
         }
-        Ok(Vec::new())
+        Ok(())
     })
 }
 

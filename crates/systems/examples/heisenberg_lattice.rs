@@ -124,7 +124,6 @@ fn draw(
     canvas::save(path, heading, [1290, 634], |area| {
         let (panels, bar) = area.split_horizontally(1190 * PIXEL);
         let titles = ["t = 0".to_owned(), format!("t = {end}")];
-        let mut images = Vec::new();
         for ((panel, s), title) in panels.split_evenly((1, 2)).iter().zip(states).zip(&titles) {
             let range = -0.5..size as f64 - 0.5;
             let frame = Axes {
@@ -134,10 +133,9 @@ fn draw(
                 grid: false,
             };
             let mut chart = axes(panel, &frame, &[])?;
-            let (x, y) = chart.plotting_area().get_pixel_range();
             let cells = (0..size).rev().flat_map(|y| (0..size).map(move |x| x + size * y));
             let colours = cells.map(|i| diverging(s.0[i].z));
-            images.push(raster::image([x.start, y.start, x.end, y.end], [size, size], colours)?);
+            raster::cells(&mut chart, [size, size], colours)?;
             let each = (size / 24).max(1);
             for (x, y) in
                 (0..size).step_by(each).flat_map(|x| (0..size).step_by(each).map(move |y| (x, y)))
@@ -149,8 +147,7 @@ fn draw(
                 )])?;
             }
         }
-        raster::scale(&bar, "s_z", 1.0, [60 * PIXEL, 480 * PIXEL])?;
-        Ok(images)
+        raster::scale(&bar, "s_z", 1.0, [60 * PIXEL, 480 * PIXEL])
     })
 }
 

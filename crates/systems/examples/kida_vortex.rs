@@ -96,7 +96,7 @@ where
             ];
             curves(panel, "", ["t (s)", axis], &both)?;
         }
-        Ok(Vec::new())
+        Ok(())
     })
 }
 

@@ -124,7 +124,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             .collect();
         canvas::save(path, heading, [1100, 480], |area| {
             curves(area, "", ["t (s)", "inclination of the axis (°)"], &lines)?;
-            Ok(Vec::new())
+            Ok(())
         })?;
     }
     // Two methods of order 6 differ by their errors.

@@ -113,7 +113,7 @@ fn draw(path: &Path, size: usize, gauss: &Run, control: &Run) -> Result<(), Box<
             curve("Runge–Kutta method, direct", RED, &lost),
         ];
         curves(&panels[1], "", ["t (s)", "relative change of tr M² (10⁻⁶)"], &two)?;
-        Ok(Vec::new())
+        Ok(())
     })
 }
 

@@ -25,6 +25,7 @@ use pictures::raster;
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
+use svg_pictures::SvgElement;
 
 const STEP: f64 = 0.2;
 
@@ -78,18 +79,17 @@ fn draw(
     canvas::save(path, heading, [1280, 400], |area| {
         let (panels, bar) = area.split_horizontally(1170 * PIXEL);
         let titles = ["t = 0 s".to_owned(), format!("t = {end} s")];
-        let mut images = Vec::new();
         for ((panel, map), title) in panels.split_evenly((1, 2)).iter().zip(maps).zip(&titles) {
             let frame = Map::new(panel);
-            frame.draw(panel, title)?;
-            let (x, y) = panel.get_base_pixel();
             let [left, top, right, bottom] = frame.corners();
             let colours = map.iter().map(|value| value.map_or([255; 3], |v| diverging(v / MOST)));
-            let corners = [left + x, top + y, right + x, bottom + y];
-            images.push(raster::image(corners, [COLUMNS, ROWS], colours)?);
+            let size = [COLUMNS, ROWS].map(|count| count as u32);
+            let corners = [(left, top), (right, bottom)];
+            panel.draw(&SvgElement::cells(corners, size, colours)?)?;
+            frame.draw(panel, title)?;
         }
         raster::scale(&bar, "ω (1/s)", MOST, [50 * PIXEL, 290 * PIXEL])?;
-        Ok(images)
+        Ok(())
     })
 }
 

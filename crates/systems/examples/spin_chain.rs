@@ -63,7 +63,6 @@ fn draw(path: &Path, motions: [&Motion; 2]) -> Result<(), Box<dyn Error>> {
         "Gauss method of order 6 through Hopf maps, steps of 0.05",
     ];
     canvas::save(path, heading, [1100, 760], |area| {
-        let mut images = Vec::new();
         let titles = [
             "without field",
             "in the field B = (0, 0, 1): every spin turns about the third axis too",
@@ -77,10 +76,10 @@ fn draw(path: &Path, motions: [&Motion; 2]) -> Result<(), Box<dyn Error>> {
                 count: SPINS,
             };
             let values = |i: usize, n: usize| motion[n][i].x;
-            images.push(sites.draw(&left, motion.len(), values, 1.0)?);
+            sites.draw(&left, motion.len(), values, 1.0)?;
             raster::scale(&right, "s₁", 1.0, [50 * PIXEL, 270 * PIXEL])?;
         }
-        Ok(images)
+        Ok(())
     })
 }
 

@@ -104,7 +104,7 @@ fn draw(path: &Path, poses: &[Pose], impulse: &Vector3<f64>) -> Result<(), Box<d
             ["t (s)", "angle (°)"],
             &[curve],
         )?;
-        Ok(Vec::new())
+        Ok(())
     })
 }
 

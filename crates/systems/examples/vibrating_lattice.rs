@@ -52,14 +52,13 @@ fn draw(path: &Path, states: &[State]) -> Result<(), Box<dyn Error>> {
         "m = 1, κ = 2, J = 1, a = 0.5; Gauss method of order 6 through Hopf maps, steps of 0.05 (no units)",
     ];
     canvas::save(path, heading, [1100, 800], |area| {
-        let mut images = Vec::new();
         // The scale ends at a round number.
         let size = states.iter().map(|z| z.1.q.amax()).fold(0.0, larger);
         let size = (size * 10.0).ceil() / 10.0;
         let spin = |i: usize, n: usize| states[n].0.0.0[i].z;
         let displacement = |i: usize, n: usize| states[n].1.q[i];
         let panels = area.split_evenly((2, 1));
-        let mut add = |panel: &Area<'_>, [title, name]: [&str; 2], values: &Values<'_>, most| {
+        let add = |panel: &Area, [title, name]: [&str; 2], values: &Values<'_>, most| {
             let (left, right) = panel.split_horizontally(980 * PIXEL);
             let sites = Sites {
                 title,
@@ -67,12 +66,12 @@ fn draw(path: &Path, states: &[State]) -> Result<(), Box<dyn Error>> {
                 name: "number of the atom",
                 count: ATOMS,
             };
-            images.push(sites.draw(&left, states.len(), values, most)?);
+            sites.draw(&left, states.len(), values, most)?;
             raster::scale(&right, name, most, [50 * PIXEL, 290 * PIXEL])
         };
         add(&panels[0], ["spins", "s₃"], &spin, 1.0)?;
         add(&panels[1], ["displacements of the atoms", "q"], &displacement, size)?;
-        Ok(images)
+        Ok(())
     })
 }
 

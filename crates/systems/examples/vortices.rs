@@ -79,7 +79,7 @@ fn draw(path: &Path, paths: &[[Vector3<f64>; 4]]) -> Result<(), Box<dyn Error>> 
             map.dot(area, &paths[0][i], 4, *colour, false)?;
             map.dot(area, &paths[paths.len() - 1][i], 6, *colour, true)?;
         }
-        Ok(Vec::new())
+        Ok(())
     })
 }
 

@@ -6,6 +6,8 @@ use heavytop::methods::MethodError;
 use lie_poisson_formula_systems::FormulaSystemError;
 use lie_poisson_runs::RunFailure;
 use momentum_map::LiftError;
+use plotters::drawing::DrawingAreaErrorKind;
+use svg_pictures::PictureError;
 
 impl From<MethodError> for Error {
     fn from(error: MethodError) -> Self {
@@ -66,5 +68,17 @@ impl Error {
 impl From<LiftError> for Error {
     fn from(error: LiftError) -> Self {
         Self::Start(error.into())
+    }
+}
+
+impl From<PictureError> for Error {
+    fn from(error: PictureError) -> Self {
+        Self::Figure(error.to_string())
+    }
+}
+
+impl From<DrawingAreaErrorKind<PictureError>> for Error {
+    fn from(error: DrawingAreaErrorKind<PictureError>) -> Self {
+        Self::Figure(error.to_string())
     }
 }

@@ -2,16 +2,14 @@
 
 pub(crate) mod numerals;
 pub(crate) mod lettering;
-mod axis;
-mod scale;
 pub(crate) mod colour_scale;
 pub(crate) mod caption;
-pub(crate) mod frame;
 pub(crate) mod raster;
 pub(crate) mod render;
+pub(crate) mod charts;
 pub(crate) mod curves;
 pub(crate) mod films;
 
-pub(crate) use axis::Axis;
-pub(crate) use frame::Frame;
-pub(crate) use scale::Scale;
+pub(crate) use charts::axis::Axis;
+pub(crate) use charts::frame::Frame;
+pub(crate) use charts::scale::Scale;

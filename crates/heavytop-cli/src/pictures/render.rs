@@ -36,15 +36,15 @@ pub(crate) const GIF: Kind<'_> = Kind {
 
 /// Returns the drawing with its text as outlines, and the same as PNG with `scale` pixels per CSS pixel.
 pub(crate) fn render(drawing: &str, scale: f32) -> Result<(String, Vec<u8>), Error> {
-    let picture = Picture::new(drawing).map_err(failed)?;
+    let picture = Picture::new(drawing)?;
     let svg = picture.svg().replacen('>', &format!(">\n    {COMMENT}"), 1);
-    let png = picture.png(scale).map_err(failed)?;
+    let png = picture.png(scale)?;
     Ok((svg, with_field(&png, SOFTWARE)))
 }
 
 /// Returns the width and the height of a drawing with `scale` pixels per CSS pixel, and its pixels, four bytes each.
 pub(crate) fn pixels(drawing: &str, scale: f32) -> Result<([u32; 2], Vec<u8>), Error> {
-    Picture::new(drawing).and_then(|picture| picture.pixels(scale)).map_err(failed)
+    Ok(Picture::new(drawing)?.pixels(scale)?)
 }
 
 /// Returns the PNG with a field of text (a chunk `tEXt`) after its header.
@@ -55,10 +55,6 @@ fn with_field(png: &[u8], text: &str) -> Vec<u8> {
     let field = [b"tEXt", text.as_bytes()].concat();
     let (length, checksum) = (text.len() as u32, crc32fast::hash(&field));
     [header, &length.to_be_bytes(), &field, &checksum.to_be_bytes(), rest].concat()
-}
-
-fn failed(reason: impl ToString) -> Error {
-    Error::Figure(reason.to_string())
 }
 
 #[cfg(test)]

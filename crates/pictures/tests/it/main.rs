@@ -3,6 +3,7 @@
 
 mod any_drawing;
 mod attributes;
+mod canvas;
 mod files;
 mod outlines;
 mod refused_drawings;

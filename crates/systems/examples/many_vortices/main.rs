@@ -124,7 +124,7 @@ fn draw(path: &Path, table: &VortexTable, paths: &Paths) -> Result<(), Box<dyn E
                 }
             }
         }
-        Ok(Vec::new())
+        Ok(())
     })
 }
 

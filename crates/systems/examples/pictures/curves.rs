@@ -7,10 +7,10 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 use std::error::Error;
 use std::ops::Range;
+use svg_pictures::SvgCanvas;
 
 /// Axes on which an example draws.
-pub type Chart<'a, 'b> =
-    ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+pub type Chart<'a> = ChartContext<'a, SvgCanvas, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
 /// A curve with a name for the key.
 pub struct Curve {
@@ -56,11 +56,11 @@ pub fn label(value: &f64) -> String {
 ///
 /// # Errors
 /// Returns the reason of the library for drawing.
-pub fn axes<'a, 'b>(
-    area: &'a Area<'b>,
+pub fn axes<'a>(
+    area: &'a Area,
     axes: &Axes<'_>,
     key: &[(&str, RGBColor)],
-) -> Result<Chart<'a, 'b>, Box<dyn Error>> {
+) -> Result<Chart<'a>, Box<dyn Error>> {
     let top = if axes.title.is_empty() { 4 } else { KEY } + if key.is_empty() { 0 } else { KEY };
     let mut chart = ChartBuilder::on(area)
         .margin_top(top * PIXEL)
@@ -100,7 +100,7 @@ pub fn axes<'a, 'b>(
 /// # Errors
 /// Returns the reason of the library for drawing.
 pub fn draw_key(
-    area: &Area<'_>,
+    area: &Area,
     key: &[(&str, RGBColor)],
     (mut x, y): (i32, i32),
 ) -> Result<(), Box<dyn Error>> {
@@ -108,10 +108,8 @@ pub fn draw_key(
         let end = x + 34 * PIXEL;
         area.draw(&PathElement::new([(x, y), (end, y)], colour.stroke_width(4 * PIXEL as u32)))?;
         let style = text(TEXT * 0.94, &BLACK, (HPos::Left, VPos::Center));
-        area.draw(&Text::new(*name, (end + 8 * PIXEL, y), style))?;
-        // Letters are 0.6 times as wide as high, on the average.
-        let letters = name.chars().count() as f64;
-        x = end + (30.0 + letters * TEXT * 0.58) as i32 * PIXEL;
+        area.draw_text(name, &style, (end + 8 * PIXEL, y))?;
+        x = end + 30 * PIXEL + area.estimate_text_size(name, &style)?.0 as i32;
     }
     Ok(())
 }
@@ -121,7 +119,7 @@ pub fn draw_key(
 /// # Errors
 /// Returns the reason of the library for drawing.
 pub fn curves(
-    area: &Area<'_>,
+    area: &Area,
     title: &str,
     [x, y]: [&str; 2],
     curves: &[Curve],

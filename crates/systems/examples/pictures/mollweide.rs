@@ -37,7 +37,7 @@ pub struct Map {
 
 impl Map {
     /// Creates the largest map in an area, with room for the labels of the latitudes on the left and a title above.
-    pub fn new(area: &Area<'_>) -> Self {
+    pub fn new(area: &Area) -> Self {
         let (width, height) = area.dim_in_pixel();
         let (left, top, room) = (46 * PIXEL, 36 * PIXEL, 12 * PIXEL);
         let radius = ((width as i32 - left - room) / 4).min((height as i32 - top - room) / 2);
@@ -62,7 +62,7 @@ impl Map {
     ///
     /// # Errors
     /// Returns the reason of the library for drawing.
-    pub fn draw(&self, area: &Area<'_>, title: &str) -> Result<(), Box<dyn Error>> {
+    pub fn draw(&self, area: &Area, title: &str) -> Result<(), Box<dyn Error>> {
         let style = text(TEXT, &BLACK, (HPos::Center, VPos::Center));
         area.draw(&Text::new(title, (self.centre.0, 16 * PIXEL), style))?;
         let along =
@@ -104,7 +104,7 @@ impl Map {
     /// Returns the reason of the library for drawing.
     pub fn path(
         &self,
-        area: &Area<'_>,
+        area: &Area,
         points: impl Iterator<Item = Vector3<f64>>,
         style: ShapeStyle,
     ) -> Result<(), Box<dyn Error>> {
@@ -128,7 +128,7 @@ impl Map {
     /// Returns the reason of the library for drawing.
     pub fn dot(
         &self,
-        area: &Area<'_>,
+        area: &Area,
         x: &Vector3<f64>,
         radius: i32,
         colour: RGBColor,

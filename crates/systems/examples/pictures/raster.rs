@@ -1,29 +1,27 @@
 //! Cells in colours by value, and the scale beside them.
 
-use super::canvas::{Area, Image, PIXEL, TEXT, text};
+use super::canvas::{Area, PIXEL, TEXT, text};
 use super::colours::diverging;
-use super::curves::{Axes, axes, label};
-use base64::Engine;
-use base64::prelude::BASE64_STANDARD;
+use super::curves::{Axes, Chart, axes, label};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 use std::error::Error;
+use svg_pictures::SvgElement;
 
-/// Returns the image of columns × rows cells between the given corners, the top row first.
+/// Draws columns × rows cells in a chart, between the left upper and the right lower corner; the top row is the first.
 ///
 /// # Errors
-/// Returns the reason if the cells are not as many, or cannot be encoded.
-pub fn image(
-    corners: [i32; 4],
+/// Returns the reason if the cells cannot be encoded.
+pub fn cells(
+    chart: &mut Chart<'_>,
     [columns, rows]: [usize; 2],
     colours: impl Iterator<Item = [u8; 3]>,
-) -> Result<Image, Box<dyn Error>> {
-    let pixels: Vec<u8> = colours.flatten().collect();
-    let mut png = Vec::new();
-    let mut encoder = png::Encoder::new(&mut png, columns.try_into()?, rows.try_into()?);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.write_header()?.write_image_data(&pixels)?;
-    Ok(Image { corners, cells: BASE64_STANDARD.encode(png) })
+) -> Result<(), Box<dyn Error>> {
+    let (x, y) = (chart.plotting_area().get_x_range(), chart.plotting_area().get_y_range());
+    let size = [columns.try_into()?, rows.try_into()?];
+    let cells = SvgElement::cells([(x.start, y.end), (x.end, y.start)], size, colours)?;
+    chart.draw_series([cells])?;
+    Ok(())
 }
 
 /// Values of sites in a row, against time.
@@ -37,17 +35,17 @@ pub struct Sites<'a> {
 }
 
 impl Sites<'_> {
-    /// Draws the axes, and returns the image of the values f(site, instant) from −most to most.
+    /// Draws the axes, and the values f(site, instant) from −most to most.
     ///
     /// # Errors
     /// Returns the reason of the library for drawing.
     pub fn draw(
         &self,
-        area: &Area<'_>,
+        area: &Area,
         instants: usize,
         f: impl Fn(usize, usize) -> f64,
         most: f64,
-    ) -> Result<Image, Box<dyn Error>> {
+    ) -> Result<(), Box<dyn Error>> {
         let heights = 0.5..self.count as f64 + 0.5;
         let frame = Axes {
             title: self.title,
@@ -55,13 +53,11 @@ impl Sites<'_> {
             y: (self.name, heights),
             grid: false,
         };
-        let chart = axes(area, &frame, &[])?;
-        // The range is relative to the whole picture.
-        let (x, y) = chart.plotting_area().get_pixel_range();
+        let mut chart = axes(area, &frame, &[])?;
         let rows = (0..self.count).rev();
         let colours = rows.flat_map(|i| (0..instants).map(move |n| (i, n)));
         let colours = colours.map(|(i, n)| diverging(f(i, n) / most));
-        image([x.start, y.start, x.end, y.end], [instants, self.count], colours)
+        cells(&mut chart, [instants, self.count], colours)
     }
 }
 
@@ -70,21 +66,15 @@ impl Sites<'_> {
 /// # Errors
 /// Returns the reason of the library for drawing.
 pub fn scale(
-    area: &Area<'_>,
+    area: &Area,
     name: &str,
     most: f64,
     [top, bottom]: [i32; 2],
 ) -> Result<(), Box<dyn Error>> {
-    const STRIPES: i32 = 100;
     let [left, right] = [8 * PIXEL, 28 * PIXEL];
     let height = |part: f64| bottom + ((f64::from(top - bottom)) * part) as i32;
-    for stripe in 0..STRIPES {
-        let part = f64::from(stripe) / f64::from(STRIPES);
-        let [red, green, blue] = diverging(2.0 * part - 1.0);
-        // Each stripe goes up to the top, so that no gaps remain between stripes.
-        let corners = [(left, height(part)), (right, top)];
-        area.draw(&Rectangle::new(corners, RGBColor(red, green, blue).filled()))?;
-    }
+    let shades = (0..200).rev().map(|n| diverging((f64::from(n) - 99.5) / 100.0));
+    area.draw(&SvgElement::cells([(left, top), (right, bottom)], [1, 200], shades)?)?;
     area.draw(&Rectangle::new([(left, bottom), (right, top)], BLACK.stroke_width(PIXEL as u32)))?;
     for part in [0.0, 0.25, 0.5, 0.75, 1.0] {
         let style = text(TEXT * 0.94, &BLACK, (HPos::Left, VPos::Center));

@@ -1,26 +1,37 @@
 //! The chart, as SVG: a panel for each formulation, all with the same axes.
 
-use super::logarithmic_axes::{Axes, PANEL, SMALLEST, decades};
+use super::logarithmic_axes::{Axes, SMALLEST, decades, scale};
 use super::measurement::Measurement;
 use super::style::Style;
+use crate::errors::Error;
 use crate::pictures::caption::{self, number};
-use crate::pictures::lettering::{FONT, fitting, width};
+use crate::pictures::charts::chart::{Chart, draw_axes};
+use crate::pictures::charts::sheet::{Area, EDGE, Sheet, text};
+use crate::pictures::lettering::{fitting, width};
 use crate::pictures::numerals::power_of_ten;
 use crate::runs::{Experiment, TopInAxes};
 use heavytop::methods::{Formulation, SchemeName};
-use std::fmt::Write;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, VPos};
+use svg_pictures::SvgElement;
 
 /// The width of two columns of a journal, in units of 0.01 mm.
-const WIDTH: f64 = 17_000.0;
-const HEIGHT: f64 = 14_700.0;
+const WIDTH: i32 = 17_000;
+const HEIGHT: i32 = 14_700;
 
 /// The size of the text, 7 pt.
 const TEXT: f64 = 247.0;
-/// The upper left corners of the panels.
-const CORNERS: [(f64, f64); 4] =
-    [(1300.0, 1200.0), (7350.0, 1200.0), (1300.0, 7700.0), (7350.0, 7700.0)];
-const LEGEND: (f64, f64) = (13_400.0, 1400.0);
-const ROW: f64 = 400.0;
+/// The upper left corners of the panels below the caption, their width and height, and the room for labels around them.
+const CORNERS: [(i32, i32); 4] = [(1300, 600), (7350, 600), (1300, 7100), (7350, 7100)];
+const PANEL: (i32, i32) = (5700, 5900);
+const LABELS: i32 = 700;
+/// The place of the legend, the length of its lines, and the height of its rows.
+const LEGEND: (i32, i32) = (13_400, 800);
+const LINE: i32 = 700;
+const ROW: i32 = 400;
+
+/// The colour of the runs that no other run beats.
+const FRONT: RGBColor = RGBColor(200, 200, 200);
 
 /// The largest relative error that is drawn; runs with larger errors are no solutions.
 const LARGEST: f64 = 1.0;
@@ -29,11 +40,14 @@ const LARGEST: f64 = 1.0;
 ///
 /// It leaves out a run that another step of the same method beats in both error and time. It rings the runs with the
 /// configured step.
+///
+/// # Errors
+/// If a text cannot be drawn.
 pub(super) fn chart(
     measurements: &[Measurement],
     experiment: &Experiment<TopInAxes>,
     end: f64,
-) -> String {
+) -> Result<String, Error> {
     let step = experiment.pace.schedule.step;
     let solutions = measurements.iter().filter(|m| m.outcome.relative <= LARGEST);
     let solutions: Vec<Measurement> = solutions.copied().collect();
@@ -42,29 +56,29 @@ pub(super) fn chart(
     let outcomes = || drawn.iter().map(|m| m.outcome);
     let seconds = decades(outcomes().map(|o| o.seconds));
     let error = decades(outcomes().map(|o| o.relative.max(SMALLEST)));
+    let axes = Axes { seconds, error };
 
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" \
-         viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"{FONT}\" font-size=\"{TEXT}\" \
-         stroke-linejoin=\"round\"><rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"white\"/>",
-        WIDTH / 100.0,
-        HEIGHT / 100.0
+    let words = format!(
+        "{}; {}",
+        caption::top(&experiment.model.top),
+        caption::start(&experiment.initial_state())
     );
+    let sheet = Sheet::new([WIDTH, HEIGHT], &[words], TEXT)?;
     for (&(_, formulation), corner) in Formulation::NAMES.iter().zip(CORNERS) {
-        let axes = Axes { seconds, error, corner };
-        frame(&mut svg, &axes, title(formulation));
-        front(&mut svg, &axes, &drawn);
+        let mut chart = panel(&sheet.body, &axes, corner, title(formulation))?;
+        let front = places(&axes, &unbeaten(&drawn));
+        chart.draw_series([PathElement::new(front, FRONT.stroke_width(150))])?;
         for scheme in formulation.schemes() {
             let of_curve = |m: &&Measurement| {
                 m.method.formulation() == formulation && m.method.scheme() == scheme
             };
             let runs: Vec<Measurement> = drawn.iter().filter(of_curve).copied().collect();
-            curve(&mut svg, &axes, Style::of(scheme), &runs, step);
+            draw_curve(&mut chart, &axes, Style::of(scheme), &runs, step)?;
         }
     }
-    titles(&mut svg, experiment, end);
-    legend(&mut svg, measurements, step);
-    svg + "</svg>"
+    titles(&sheet.body, end)?;
+    legend(&sheet.body, measurements, step)?;
+    Ok(sheet.drawing())
 }
 
 fn title(formulation: Formulation) -> &'static str {
@@ -81,54 +95,41 @@ fn every((low, high): (i32, i32), length: f64, size: f64) -> i32 {
     (f64::from(high - low) * size / length).ceil().max(1.0) as i32
 }
 
-// Writing to a string does not fail.
-
-fn frame(svg: &mut String, axes: &Axes, title: &str) {
-    let ((left, top), (width_of_panel, height)) = (axes.corner, PANEL);
-    let (right, bottom) = (left + width_of_panel, top + height);
-    let (middle, above) = (left + width_of_panel / 2.0, top - 130.0);
-    let _ = write!(svg, "<text x=\"{middle}\" y=\"{above}\" text-anchor=\"middle\">{title}</text>");
-    let _ = write!(svg, "<g stroke=\"#e1e1e1\" stroke-width=\"14\">");
-    let mut labels = String::new();
+/// Creates a panel with its axes, and its title above it.
+fn panel(
+    area: &Area,
+    axes: &Axes,
+    (left, top): (i32, i32),
+    title: &str,
+) -> Result<Chart<'static>, Error> {
+    let ((width_of_panel, height), (_, below)) = (PANEL, area.dim_in_pixel());
     let (at_left, at_bottom) = (left == CORNERS[2].0, top == CORNERS[2].1);
     let most = |(low, high): (i32, i32)| {
         1.3 * TEXT * width(&power_of_ten(low)).max(width(&power_of_ten(high)))
     };
-    let seconds = every(axes.seconds, width_of_panel, most(axes.seconds));
-    for decade in axes.seconds.0..=axes.seconds.1 {
-        let (x, y) = (axes.x(10_f64.powi(decade)), bottom + 380.0);
-        let _ = write!(svg, "<path d=\"M{x:.0} {top}V{bottom}\"/>");
-        // Neighbours share their axes, and the last label would be under the next panel's first.
-        let shown = at_bottom && decade % seconds == 0 && (decade < axes.seconds.1 || !at_left);
-        let power = if shown { power_of_ten(decade) } else { String::new() };
-        let _ =
-            write!(labels, "<text x=\"{x:.0}\" y=\"{y}\" text-anchor=\"middle\">{power}</text>");
-    }
-    let errors = every(axes.error, height, 1000.0);
-    for decade in (axes.error.0..=axes.error.1).filter(|decade| decade % errors == 0) {
-        let (x, y) = (left - 110.0, axes.y(10_f64.powi(decade)));
-        let _ = write!(svg, "<path d=\"M{left} {y:.0}H{right}\"/>");
-        let (base, power) = (y + 90.0, if at_left { power_of_ten(decade) } else { String::new() });
-        let _ =
-            write!(labels, "<text x=\"{x}\" y=\"{base:.0}\" text-anchor=\"end\">{power}</text>");
-    }
-    let _ = write!(
-        svg,
-        "</g>{labels}<rect x=\"{left}\" y=\"{top}\" width=\"{width_of_panel}\" height=\"{height}\" \
-         fill=\"none\" stroke=\"black\" stroke-width=\"14\"/>"
-    );
+    let seconds = every(axes.seconds, width_of_panel.into(), most(axes.seconds));
+    // Neighbours share their axes, and the last label would be under the next panel's first.
+    let is_labelled =
+        |decade| at_bottom && decade % seconds == 0 && (decade < axes.seconds.1 || !at_left);
+    let abscissa = scale(axes.seconds, 1, is_labelled);
+    let ordinate = scale(axes.error, every(axes.error, height.into(), 1000.0), |_| at_left);
+    let mut chart = ChartBuilder::on(area)
+        .margin_left(left - LABELS)
+        .margin_top(top)
+        .margin_right(WIDTH - left - width_of_panel)
+        .margin_bottom(below as i32 - top - height - LABELS)
+        .y_label_area_size(LABELS)
+        .x_label_area_size(LABELS)
+        .build_cartesian_2d(abscissa, ordinate)?;
+    draw_axes(&mut chart, TEXT, true)?;
+    let style = text(TEXT, HPos::Center, VPos::Bottom);
+    area.draw_text(title, &style, (left + width_of_panel / 2, top - EDGE / 2))?;
+    Ok(chart)
 }
 
-/// Draws the runs of all formulations that no other run beats.
-fn front(svg: &mut String, axes: &Axes, drawn: &[Measurement]) {
-    let outcomes = unbeaten(drawn).into_iter().map(|run| run.outcome);
-    let points: String =
-        outcomes.map(|o| format!("{:.0},{:.0} ", axes.x(o.seconds), axes.y(o.relative))).collect();
-    let _ = write!(
-        svg,
-        "<polyline points=\"{points}\" fill=\"none\" stroke=\"#c8c8c8\" stroke-width=\"150\" \
-         stroke-linecap=\"round\"/>"
-    );
+/// Returns the places of runs in a panel.
+fn places(axes: &Axes, runs: &[Measurement]) -> Vec<(f64, f64)> {
+    runs.iter().map(|run| axes.place(run.outcome.seconds, run.outcome.relative)).collect()
 }
 
 /// Returns the runs that no other run beats in both error and time, the fastest first.
@@ -144,86 +145,84 @@ fn unbeaten(runs: &[Measurement]) -> Vec<Measurement> {
     unbeaten
 }
 
-fn curve(svg: &mut String, axes: &Axes, style: Style, runs: &[Measurement], step: f64) {
+/// Draws the runs of a method, joined by a line, each with its mark, and those with the configured step as rings.
+fn draw_curve(
+    chart: &mut Chart<'_>,
+    axes: &Axes,
+    style: Style,
+    runs: &[Measurement],
+    step: f64,
+) -> Result<(), Error> {
     let Style { colour, dashes, mark } = style;
-    let (mut points, mut marks) = (String::new(), String::new());
-    for run in runs {
-        let (x, y) = (axes.x(run.outcome.seconds), axes.y(run.outcome.relative));
-        let _ = write!(points, "{x:.0},{y:.0} ");
+    let (places, line) = (places(axes, runs), colour.stroke_width(28));
+    chart.draw_series([SvgElement::dashed(places.clone(), line, dashes)])?;
+    let field = chart.plotting_area();
+    let (whole, (x, y)) = (field.strip_coord_spec(), field.get_base_pixel());
+    for (run, place) in runs.iter().zip(&places) {
         let configured = (run.step - step).abs() < 1e-6 * step.abs();
-        let (radius, fill) = if configured { (75.0, "white") } else { (38.0, colour) };
-        let _ = write!(marks, "<path d=\"{}\" fill=\"{fill}\"/>", mark.path(x, y, radius));
+        let (radius, fill) = if configured { (75.0, WHITE) } else { (38.0, colour) };
+        let at = field.map_coordinate(place);
+        draw_mark(&whole, mark.corners((at.0 - x, at.1 - y), radius), fill, line)?;
     }
-    let dashes = if dashes.is_empty() { "none" } else { dashes };
-    let _ = write!(
-        svg,
-        "<g stroke=\"{colour}\" stroke-width=\"28\"><polyline points=\"{points}\" fill=\"none\" \
-         stroke-dasharray=\"{dashes}\"/>{marks}</g>"
-    );
+    Ok(())
 }
 
-fn titles(svg: &mut String, experiment: &Experiment<TopInAxes>, end: f64) {
-    let (x, y) = (CORNERS[1].0 - 150.0, HEIGHT - 250.0);
-    let middle = CORNERS[1].1 / 2.0 + HEIGHT / 2.0;
+/// Draws a mark with these corners.
+fn draw_mark(
+    area: &Area,
+    mut corners: Vec<(i32, i32)>,
+    fill: RGBColor,
+    line: ShapeStyle,
+) -> Result<(), Error> {
+    area.draw(&Polygon::new(corners.clone(), fill))?;
+    corners.extend(corners.first().copied());
+    area.draw(&PathElement::new(corners, line))?;
+    Ok(())
+}
+
+/// Writes the titles of the axes, which all panels share.
+fn titles(area: &Area, end: f64) -> Result<(), Error> {
+    let ((left, top), height) = (CORNERS[1], area.dim_in_pixel().1 as i32);
+    let style = text(TEXT, HPos::Center, VPos::Bottom);
+    let place = (left - 150, height - EDGE);
+    area.draw_text("computing time per simulated time", &style, place)?;
     let error = format!(
         "relative error at <tspan font-style='italic'>t</tspan> = {} s: the larger of |δΠ| / max |Π| and \
          |δΓ| / max |Γ|",
         number(end)
     );
-    let size = fitting(&error, TEXT, HEIGHT - CORNERS[1].1 - 500.0);
-    let _ = write!(
-        svg,
-        "<g text-anchor=\"middle\"><text x=\"{x}\" y=\"{y}\">computing time per simulated time</text>\
-         <text transform=\"translate(320 {middle}) rotate(-90)\" font-size=\"{size:.0}\">{error}</text>"
-    );
-    let words = format!(
-        "{}; {}",
-        caption::top(&experiment.model.top),
-        caption::start(&experiment.initial_state())
-    );
-    let size = fitting(&words, TEXT, WIDTH - 600.0);
-    let _ = write!(
-        svg,
-        "<text x=\"{}\" y=\"450\" font-size=\"{size:.0}\">{words}</text></g>",
-        WIDTH / 2.0
-    );
+    let size = fitting(&error, TEXT, f64::from(height - top - 500));
+    let style = text(size, HPos::Center, VPos::Top).transform(FontTransform::Rotate270);
+    area.draw_text(&error, &style, (EDGE, (top + height) / 2))?;
+    Ok(())
 }
 
-fn legend(svg: &mut String, measurements: &[Measurement], step: f64) {
+/// Draws the lines and marks of the methods that were measured, and what else the panels show.
+fn legend(area: &Area, measurements: &[Measurement], step: f64) -> Result<(), Error> {
     let (left, mut y) = LEGEND;
-    let (right, text) = (left + 700.0, left + 850.0);
+    let (middle, right) = (left + LINE / 2, left + LINE);
+    let write = |label: &str, y: i32| {
+        let room = f64::from(WIDTH - right - 150 - EDGE);
+        let style = text(fitting(label, TEXT, room), HPos::Left, VPos::Center);
+        area.draw_text(label, &style, (right + 150, y))
+    };
     for &(name, scheme) in SchemeName::NAMES {
-        if !measurements.iter().any(|m| m.method.scheme() == scheme) {
-            continue;
+        if measurements.iter().any(|m| m.method.scheme() == scheme) {
+            let Style { colour, dashes, mark } = Style::of(scheme);
+            let line = [(left, y), (right, y)];
+            area.draw(&SvgElement::dashed(line, colour.stroke_width(42), dashes))?;
+            draw_mark(area, mark.corners((middle, y), 60.0), colour, colour.stroke_width(1))?;
+            write(name, y)?;
+            y += ROW;
         }
-        let Style { colour, dashes, mark } = Style::of(scheme);
-        let (base, dashes) = (y + 88.0, if dashes.is_empty() { "none" } else { dashes });
-        let mark = mark.path(left + 350.0, y, 60.0);
-        let _ = write!(
-            svg,
-            "<path d=\"M{left} {y}H{right}\" stroke=\"{colour}\" stroke-width=\"42\" \
-             stroke-dasharray=\"{dashes}\"/><path d=\"{mark}\" fill=\"{colour}\"/>\
-             <text x=\"{text}\" y=\"{base}\">{name}</text>"
-        );
-        y += ROW;
     }
-    let _ = write!(
-        svg,
-        "<path d=\"M{left} {y}H{right}\" stroke=\"#c8c8c8\" stroke-width=\"150\"/>\
-         <text x=\"{text}\" y=\"{}\">best of all panels</text>",
-        y + 88.0
-    );
+    area.draw(&PathElement::new([(left, y), (right, y)], FRONT.stroke_width(150)))?;
+    write("best of all panels", y)?;
     y += ROW;
-    let (centre, base) = (left + 350.0, y + 88.0);
-    let step = format!("step {} s", number(step));
-    let size = fitting(&step, TEXT, WIDTH - text - 100.0);
-    let _ = write!(
-        svg,
-        "<circle cx=\"{centre}\" cy=\"{y}\" r=\"75\" fill=\"white\" stroke=\"black\" \
-         stroke-width=\"28\"/><text x=\"{text}\" y=\"{base}\" font-size=\"{size:.0}\">{step}</text>\
-         <text x=\"{text}\" y=\"{}\">others ×1.78 apart</text>",
-        base + ROW
-    );
+    area.draw(&Circle::new((middle, y), 75, BLACK.stroke_width(28)))?;
+    write(&format!("step {} s", number(step)), y)?;
+    write("others ×1.78 apart", y + ROW)?;
+    Ok(())
 }
 
 #[cfg(test)]
@@ -262,14 +261,18 @@ mod tests {
                 }
             }
         }
-        chart(&measurements, &experiment, time)
+        chart(&measurements, &experiment, time).unwrap()
     }
 
     #[test]
     fn labels_are_apart_and_cut_at_no_scale() {
         for (size, time) in [(1e-20, 1.0), (2e-4, 1e-3), (1.0, 1.0), (1.0, 1e-9), (1e20, 1e5)] {
             let drawing = drawing(size, time);
-            assert_eq!(collisions(&drawing, (WIDTH, HEIGHT)), [""; 0], "{size} {time}");
+            assert_eq!(
+                collisions(&drawing, (WIDTH.into(), HEIGHT.into())),
+                [""; 0],
+                "{size} {time}"
+            );
             let texts = texts(&drawing);
             let has = |part: &str| texts.iter().any(|text| text.contains(part));
             assert!(has("I = (") && has("Π(0) = (") && has("|δΠ| / max |Π|"), "{texts:?}");

@@ -114,7 +114,7 @@ pub fn compare(
     drop(progress);
 
     table.write(|to| to.write_all(recommendations::csv(&measurements).as_bytes()))?;
-    let chart = chart::chart(&measurements, &experiment, reference.end);
+    let chart = chart::chart(&measurements, &experiment, reference.end)?;
     let mut pictures = OutputSet::default();
     let drawn = render::render(&chart, SCALE).and_then(|(drawing, pixels)| {
         pictures.add(&svg, drawing.as_bytes())?;

@@ -1,29 +1,34 @@
 //! Logarithmic axes of a panel, in powers of ten.
 
-/// Width and height of a panel, in units of 0.01 mm.
-pub(super) const PANEL: (f64, f64) = (5700.0, 5900.0);
+use crate::pictures::Scale;
+use crate::pictures::numerals::power_of_ten;
 
 /// The smallest error that the chart distinguishes; smaller errors are accidents of round-off, and are drawn here.
 pub(super) const SMALLEST: f64 = 1e-15;
 
-/// The decades of both axes, and the corner of a panel.
+/// The decades of both axes.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Axes {
     /// The decades of the abscissa.
     pub seconds: (i32, i32),
     /// The decades of the ordinate.
     pub error: (i32, i32),
-    /// The upper left corner of the panel.
-    pub corner: (f64, f64),
 }
 
 impl Axes {
-    pub fn x(&self, seconds: f64) -> f64 {
-        self.corner.0 + PANEL.0 * along(self.seconds, seconds)
+    /// Returns the places of a time and an error along the axes, from 0 to 1.
+    pub fn place(&self, seconds: f64, error: f64) -> (f64, f64) {
+        (along(self.seconds, seconds), along(self.error, error.max(SMALLEST)))
     }
+}
 
-    pub fn y(&self, error: f64) -> f64 {
-        self.corner.1 + PANEL.1 * (1.0 - along(self.error, error.max(SMALLEST)))
-    }
+/// Returns the scale of an axis with a tick at every n-th decade; labels show if they have room.
+pub(super) fn scale(decades: (i32, i32), every: i32, is_labelled: impl Fn(i32) -> bool) -> Scale {
+    let ticks = (decades.0..=decades.1).filter(|decade| decade % every == 0).map(|decade| {
+        let label = if is_labelled(decade) { power_of_ten(decade) } else { String::new() };
+        (along(decades, 10_f64.powi(decade)), label)
+    });
+    Scale { ticks: ticks.collect(), ..Scale::default() }
 }
 
 fn along((low, high): (i32, i32), value: f64) -> f64 {

@@ -1,12 +1,13 @@
 //! Colours, dashes and marks: a hue and a mark for each family of schemes, darker for higher order.
 
 use heavytop::methods::{ComposedScheme, PartitionedScheme, SchemeName};
+use plotters::style::RGBColor;
+use std::f64::consts::TAU;
 
 /// The style in which a curve is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Style {
-    /// The colour, as CSS writes it.
-    pub colour: &'static str,
+    pub colour: RGBColor,
     /// The dashes and gaps, in units of 0.01 mm; empty for a whole line.
     pub dashes: &'static str,
     /// The mark of each run.
@@ -33,52 +34,55 @@ impl Style {
     pub fn of(scheme: SchemeName) -> Self {
         use Mark::{Circle, Diamond, Square, Triangle};
         let (colour, dashes, mark) = match scheme {
-            SchemeName::ImplicitMidpoint => ("#80c4ec", "", Circle),
-            SchemeName::SphericalMidpoint => ("#80c4ec", DOTTED, Circle),
-            SchemeName::Gauss(2) => ("#80c4ec", DASHED, Circle),
-            SchemeName::Gauss(3) => ("#2a95d5", "", Circle),
-            SchemeName::Gauss(4) => ("#2a95d5", DASHED, Circle),
-            SchemeName::Gauss(5) => ("#0072b2", "", Circle),
-            SchemeName::Gauss(6) => ("#00436a", DASHED, Circle),
-            SchemeName::Gauss(_) => ("#002338", "", Circle),
-            SchemeName::ExplicitMidpoint => ("#4fc7a5", DASHED, Square),
-            SchemeName::Rk4 => ("#009e73", "", Square),
+            SchemeName::ImplicitMidpoint => (RGBColor(128, 196, 236), "", Circle),
+            SchemeName::SphericalMidpoint => (RGBColor(128, 196, 236), DOTTED, Circle),
+            SchemeName::Gauss(2) => (RGBColor(128, 196, 236), DASHED, Circle),
+            SchemeName::Gauss(3) => (RGBColor(42, 149, 213), "", Circle),
+            SchemeName::Gauss(4) => (RGBColor(42, 149, 213), DASHED, Circle),
+            SchemeName::Gauss(5) => (RGBColor(0, 114, 178), "", Circle),
+            SchemeName::Gauss(6) => (RGBColor(0, 67, 106), DASHED, Circle),
+            SchemeName::Gauss(_) => (RGBColor(0, 35, 56), "", Circle),
+            SchemeName::ExplicitMidpoint => (RGBColor(79, 199, 165), DASHED, Square),
+            SchemeName::Rk4 => (RGBColor(0, 158, 115), "", Square),
             SchemeName::Partitioned(PartitionedScheme::SymplecticEuler) => {
-                ("#e0a9c8", DOTTED, Triangle)
+                (RGBColor(224, 169, 200), DOTTED, Triangle)
             }
             SchemeName::Partitioned(PartitionedScheme::StormerVerlet) => {
-                ("#cc79a7", DASHED, Triangle)
+                (RGBColor(204, 121, 167), DASHED, Triangle)
             }
-            SchemeName::Partitioned(PartitionedScheme::Lobatto) => ("#8f3f6b", "", Triangle),
-            SchemeName::Composed(ComposedScheme::Strang) => ("#e69f00", "", Diamond),
-            SchemeName::Composed(ComposedScheme::Yoshida4) => ("#e69f00", DASHED, Diamond),
-            SchemeName::Composed(ComposedScheme::Suzuki4) => ("#d55e00", "", Diamond),
-            SchemeName::Composed(ComposedScheme::Yoshida6) => ("#d55e00", DASHED, Diamond),
-            SchemeName::Composed(ComposedScheme::KahanLi6) => ("#7a3600", "", Diamond),
-            SchemeName::Composed(ComposedScheme::KahanLi8) => ("#7a3600", DASHED, Diamond),
+            SchemeName::Partitioned(PartitionedScheme::Lobatto) => {
+                (RGBColor(143, 63, 107), "", Triangle)
+            }
+            SchemeName::Composed(ComposedScheme::Strang) => (RGBColor(230, 159, 0), "", Diamond),
+            SchemeName::Composed(ComposedScheme::Yoshida4) => {
+                (RGBColor(230, 159, 0), DASHED, Diamond)
+            }
+            SchemeName::Composed(ComposedScheme::Suzuki4) => (RGBColor(213, 94, 0), "", Diamond),
+            SchemeName::Composed(ComposedScheme::Yoshida6) => {
+                (RGBColor(213, 94, 0), DASHED, Diamond)
+            }
+            SchemeName::Composed(ComposedScheme::KahanLi6) => (RGBColor(122, 54, 0), "", Diamond),
+            SchemeName::Composed(ComposedScheme::KahanLi8) => {
+                (RGBColor(122, 54, 0), DASHED, Diamond)
+            }
         };
         Self { colour, dashes, mark }
     }
 }
 
 impl Mark {
-    /// Returns the outline of the mark about a place, as the data of an SVG path.
-    pub fn path(self, x: f64, y: f64, radius: f64) -> String {
-        let polygon = |corners: &[(f64, f64)]| {
-            let corners =
-                corners.iter().map(|(a, b)| format!("{:.0},{:.0}", x + radius * a, y + radius * b));
-            format!("M{}Z", corners.collect::<Vec<_>>().join("L"))
+    /// Returns the corners of the mark about a place.
+    pub fn corners(self, (x, y): (i32, i32), radius: f64) -> Vec<(i32, i32)> {
+        let corners = match self {
+            Self::Circle => {
+                (0..48).map(|n| (TAU * f64::from(n) / 48.0).sin_cos()).collect::<Vec<_>>()
+            }
+            Self::Square => vec![(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)],
+            Self::Triangle => vec![(0.0, -1.2), (1.1, 0.8), (-1.1, 0.8)],
+            Self::Diamond => vec![(0.0, -1.3), (1.1, 0.0), (0.0, 1.3), (-1.1, 0.0)],
         };
-        match self {
-            Self::Circle => format!(
-                "M{:.0},{y:.0}a{radius},{radius} 0 1 0 {d},0a{radius},{radius} 0 1 0 -{d},0Z",
-                x - radius,
-                d = 2.0 * radius
-            ),
-            Self::Square => polygon(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)]),
-            Self::Triangle => polygon(&[(0.0, -1.2), (1.1, 0.8), (-1.1, 0.8)]),
-            Self::Diamond => polygon(&[(0.0, -1.3), (1.1, 0.0), (0.0, 1.3), (-1.1, 0.0)]),
-        }
+        let place = |(a, b)| (x + (radius * a) as i32, y + (radius * b) as i32);
+        corners.into_iter().map(place).collect()
     }
 }
 

@@ -5,6 +5,7 @@ use crate::pictures::caption;
 use crate::pictures::curves::curve::{BLUE, Curve, DASHED, DOTTED, GRAY, GREEN, RED, WHOLE};
 use heavytop::Invariant;
 use heavytop::methods::{Formulation, Method, SchemeName};
+use plotters::style::RGBColor;
 
 /// A figure: one conserved quantity along several runs.
 #[derive(Clone, Debug)]
@@ -19,7 +20,7 @@ pub(super) struct Figure<'a> {
     pub caption: Vec<String>,
 }
 
-type Line = (Formulation, SchemeName, &'static str, &'static str);
+type Line = (Formulation, SchemeName, RGBColor, &'static str);
 
 /// The curves of Fig. 1. Source: its caption in Ohsawa 2019.
 const FIGURE_1: [Line; 3] = [

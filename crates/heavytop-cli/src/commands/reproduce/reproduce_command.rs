@@ -95,7 +95,7 @@ fn write_figures_and_summary(
     files: &mut OutputSet,
 ) -> Result<Reproduction, Error> {
     for figure in figures::all(records) {
-        let (svg, png) = render::render(&plot::plot(&figure), SCALE)?;
+        let (svg, png) = render::render(&plot::plot(&figure)?, SCALE)?;
         files.add(&out.join(figure.name).with_extension("svg"), svg.as_bytes())?;
         files.add(&out.join(figure.name).with_extension("png"), &png)?;
     }

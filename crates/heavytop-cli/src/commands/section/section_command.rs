@@ -164,11 +164,11 @@ fn write_points(
 }
 
 fn draw(settings: &Settings, orbits: &Orbits<'_>, survey: &Survey) -> Result<String, Error> {
-    let mut picture = Picture::begin(settings, survey);
+    let mut picture = Picture::begin(settings, survey)?;
     for tile in 0..orbits.count() {
-        orbits.finished(tile)?.1.iter().for_each(|orbit| picture.add(orbit));
+        orbits.finished(tile)?.1.iter().try_for_each(|orbit| picture.add(orbit))?;
     }
-    Ok(picture.complete())
+    picture.complete()
 }
 
 /// Ends a section that could not be finished.

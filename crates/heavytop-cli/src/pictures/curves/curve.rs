@@ -1,15 +1,25 @@
 //! A curve of a picture, which differs from others by its colour and by its dashes: [`Curve`].
 
-use std::fmt::Write;
+use crate::errors::Error;
+use crate::pictures::charts::chart::Chart;
+use crate::pictures::charts::sheet::{Area, text};
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, VPos};
+use svg_pictures::SvgElement;
 
 // The colours of Okabe and Ito, which readers with all kinds of colour vision tell apart, and a gray. Dashes tell the
 // curves apart in black and white. Source: M. Okabe & K. Ito, *Color Universal Design* (2008).
-pub(crate) const BLUE: &str = "#0072b2";
-pub(crate) const GREEN: &str = "#009e73";
-pub(crate) const RED: &str = "#d55e00";
-pub(crate) const GRAY: &str = "#555555";
-const PURPLE: &str = "#cc79a7";
-const ORANGE: &str = "#e69f00";
+pub(crate) const BLUE: RGBColor = RGBColor(0, 114, 178);
+pub(crate) const GREEN: RGBColor = RGBColor(0, 158, 115);
+pub(crate) const RED: RGBColor = RGBColor(213, 94, 0);
+pub(crate) const GRAY: RGBColor = RGBColor(85, 85, 85);
+const PURPLE: RGBColor = RGBColor(204, 121, 167);
+const ORANGE: RGBColor = RGBColor(230, 159, 0);
+
+/// The width of curves, in units of 0.01 mm; in legends they are twice as wide.
+const WIDTH: u32 = 21;
+/// The length of the lines of a legend, and the gap beside them.
+const ENTRY: [i32; 2] = [600, 120];
 
 /// The dashes and gaps of curves, in units of 0.01 mm.
 pub(crate) const WHOLE: &str = "";
@@ -17,7 +27,7 @@ pub(crate) const DASHED: &str = "150 60";
 pub(crate) const DOTTED: &str = "35 35";
 
 /// The colours and dashes of curves that are drawn together, in their order.
-pub(crate) const STYLES: [(&str, &str); 6] = [
+pub(crate) const STYLES: [(RGBColor, &str); 6] = [
     (BLUE, WHOLE),
     (RED, DASHED),
     (GREEN, DOTTED),
@@ -32,14 +42,13 @@ pub(crate) struct Curve<'a> {
     /// The name of the curve.
     pub name: String,
     /// The colour of the curve.
-    pub colour: &'static str,
+    pub colour: RGBColor,
     /// The dashes and gaps, in units of 0.01 mm; empty for a whole line.
     pub dashes: &'static str,
     /// The points, such as (t, quantity).
     pub points: &'a [(f64, f64)],
 }
 
-// Writing to a string does not fail.
 impl Curve<'_> {
     /// Returns the highest value less the lowest.
     pub fn span(&self) -> f64 {
@@ -47,43 +56,36 @@ impl Curve<'_> {
         values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
     }
 
-    /// Returns the dashes as SVG writes them.
-    pub fn dash_array(&self) -> &'static str {
-        if self.dashes.is_empty() { "none" } else { self.dashes }
-    }
-
-    /// Draws the points that are numbers, joined by a line of this width, where `place` puts them.
-    pub fn draw(&self, svg: &mut String, width: f64, place: impl Fn((f64, f64)) -> (f64, f64)) {
-        let _ = write!(
-            svg,
-            "<polyline fill=\"none\" stroke-linejoin=\"round\" stroke=\"{}\" stroke-width=\"{width}\" \
-             stroke-dasharray=\"{}\" points=\"",
-            self.colour,
-            self.dash_array()
-        );
-        for point in self.points.iter().filter(|point| point.1.is_finite()) {
-            let (x, y) = place(*point);
-            let _ = write!(svg, "{x:.0},{y:.0} ");
-        }
-        svg.push_str("\"/>");
-    }
-
-    /// Draws the entry of the legend: a line of this width from `left` to `right`, and the name `gap` beside it.
-    pub fn draw_entry(
+    /// Draws the points that are numbers, where `place` puts them in the chart.
+    ///
+    /// # Errors
+    /// If plotters cannot draw them.
+    pub fn draw(
         &self,
-        svg: &mut String,
-        width: f64,
-        (left, right, gap): (f64, f64, f64),
-        y: f64,
-    ) {
-        let (start, base) = (right + gap, y + 88.0);
-        let _ = write!(
-            svg,
-            "<path d=\"M{left:.0} {y:.0}H{right:.0}\" stroke=\"{}\" stroke-width=\"{width}\" \
-             stroke-dasharray=\"{}\"/><text x=\"{start:.0}\" y=\"{base:.0}\">{}</text>",
-            self.colour,
-            self.dash_array(),
-            self.name
-        );
+        chart: &mut Chart<'_>,
+        place: impl Fn((f64, f64)) -> (f64, f64),
+    ) -> Result<(), Error> {
+        let points = self.points.iter().copied().map(place).filter(|point| point.1.is_finite());
+        let (points, style) = (points.collect::<Vec<_>>(), self.colour.stroke_width(WIDTH));
+        chart.draw_series([SvgElement::dashed(points, style, self.dashes)])?;
+        Ok(())
     }
+
+    /// Draws the entry of a legend: a line from a place in an area to the right, and the name beside it in
+    /// text of this size.
+    ///
+    /// # Errors
+    /// If the name cannot be drawn.
+    pub fn draw_entry(&self, area: &Area, (left, y): (i32, i32), size: f64) -> Result<(), Error> {
+        let (right, style) = (left + ENTRY[0], self.colour.stroke_width(2 * WIDTH));
+        area.draw(&SvgElement::dashed([(left, y), (right, y)], style, self.dashes))?;
+        let style = text(size, HPos::Left, VPos::Center);
+        area.draw_text(&self.name, &style, (right + ENTRY[1], y))?;
+        Ok(())
+    }
+}
+
+/// Returns the width of an entry of a legend whose name is so wide.
+pub(crate) fn entry_width(name: f64) -> i32 {
+    ENTRY[0] + ENTRY[1] + name as i32
 }

@@ -1,18 +1,22 @@
 //! Panels of curves one above the other, with a common abscissa: [`Panels`].
 
-use super::curve::Curve;
-use crate::pictures::frame::{EDGE, Frame, TEXT};
+use super::curve::{Curve, entry_width};
+use crate::errors::Error;
+use crate::pictures::charts::chart::{TEXT, below, beside, draw_axes};
+use crate::pictures::charts::frame::WIDTH;
+use crate::pictures::charts::scale::Scale;
+use crate::pictures::charts::sheet::{EDGE, Sheet};
 use crate::pictures::lettering::widest;
-use crate::pictures::scale::Scale;
+use plotters::prelude::*;
 
 /// The height of a panel, in units of 0.01 mm, with the gap below it: the names of six curves have room beside it.
-const PANEL: f64 = 2500.0;
+const PANEL: i32 = 2500;
 /// The height of everything else: the caption and the abscissa.
-const REST: f64 = 2600.0;
-/// The width of curves.
-const CURVE: f64 = 21.0;
-/// The distance of the legend from the panel, the length of its lines, the gap beside them, and the height of its rows.
-const LEGEND: [f64; 4] = [200.0, 600.0, 120.0, 370.0];
+const REST: i32 = 2600;
+/// The gap below a panel.
+const GAP: i32 = 300;
+/// The distance of the legend from the panel, and the height of its rows.
+const LEGEND: [i32; 2] = [200, 370];
 
 /// A panel: its ordinate, and its curves in the order of the legend. The points are places, from 0 to 1 along both axes.
 #[derive(Clone, Debug)]
@@ -22,61 +26,74 @@ pub(crate) struct Panel<'a> {
 }
 
 /// Panels one above the other, with the names of the curves beside them.
-#[derive(Clone, Debug)]
 pub(crate) struct Panels<'a> {
+    sheet: Sheet,
     panels: Vec<Panel<'a>>,
-    frames: Vec<Frame>,
-    height: f64,
+    /// The room on the left and on the right of the panels.
+    sides: [i32; 2],
 }
 
 impl<'a> Panels<'a> {
     /// Lays the panels out, the first one above.
-    pub fn new(caption: &[String], panels: Vec<Panel<'a>>) -> Self {
-        let height = REST + PANEL * panels.len() as f64;
+    ///
+    /// # Errors
+    /// If the caption cannot be drawn.
+    pub fn new(caption: &[String], panels: Vec<Panel<'a>>) -> Result<Self, Error> {
         let names = panels.iter().flat_map(|panel| &panel.curves).map(|curve| curve.name.as_str());
-        let [apart, line, gap, _] = LEGEND;
-        let beside = apart + line + gap + widest(names) * TEXT + EDGE;
-        let ordinates = panels.iter().map(|panel| panel.ordinate.clone()).collect();
-        let frames = Frame::stacked(height, caption, ordinates, beside);
-        Self { panels, frames, height }
+        let right = LEGEND[0] + entry_width(widest(names) * TEXT) + EDGE;
+        let left = panels.iter().map(|panel| beside(&panel.ordinate, TEXT)).max().unwrap_or(0);
+        let sheet = Sheet::new([WIDTH, REST + PANEL * panels.len() as i32], caption, TEXT)?;
+        Ok(Self { sheet, panels, sides: [left, right] })
     }
 
     /// Returns the length of the abscissa, as a multiple of the size of the text.
     pub fn length(&self) -> f64 {
-        self.frames.first().map_or(0.0, Frame::length)
+        f64::from(WIDTH - EDGE - self.sides[0] - self.sides[1]) / TEXT
     }
 
     /// Draws the panels as SVG.
-    pub fn draw(&self, abscissa: &Scale) -> String {
-        let mut svg = Frame::begin_of_height(self.height);
+    ///
+    /// # Errors
+    /// If a name or a title cannot be drawn.
+    pub fn draw(&self, abscissa: &Scale) -> Result<String, Error> {
         let ticks = abscissa.ticks.iter().map(|(along, _)| (*along, String::new())).collect();
-        let unlabelled = Scale { ticks, title: String::new(), line: None };
-        let last = self.frames.len().saturating_sub(1);
-        for (row, (panel, frame)) in self.panels.iter().zip(&self.frames).enumerate() {
-            let Frame { left, right, top, bottom, .. } = *frame;
-            for curve in &panel.curves {
-                curve.draw(&mut svg, CURVE, |(x, y)| {
-                    (left + (right - left) * x, bottom - (bottom - top) * y)
-                });
-            }
-            let [apart, line, gap, height] = LEGEND;
+        let unlabelled = Scale { ticks, ..Scale::default() };
+        let (count, [left, right]) = (self.panels.len() as i32, self.sides);
+        let height = self.sheet.body.dim_in_pixel().1 as i32;
+        let step = (height - EDGE - below(TEXT) + GAP) / count.max(1);
+        let breaks: Vec<i32> = (1..count).map(|row| row * step).collect();
+        let areas = self.sheet.body.split_by_breakpoints([0; 0], breaks);
+        let last = self.panels.len().saturating_sub(1);
+        for (row, (panel, area)) in self.panels.iter().zip(&areas).enumerate() {
+            let is_last = row == last;
+            let mut chart = ChartBuilder::on(area)
+                .margin_left(EDGE)
+                .margin_right(right)
+                .margin_bottom(if is_last { EDGE } else { 0 })
+                .y_label_area_size(left)
+                .x_label_area_size(if is_last { below(TEXT) } else { GAP })
+                .build_cartesian_2d(
+                    if is_last { abscissa.clone() } else { unlabelled.clone() },
+                    panel.ordinate.clone(),
+                )?;
             for (entry, curve) in panel.curves.iter().enumerate() {
-                let y = top + height * (entry as f64 + 0.5);
-                let (from, to) = (right + apart, right + apart + line);
-                curve.draw_entry(&mut svg, 2.0 * CURVE, (from, to, gap), y);
+                curve.draw(&mut chart, |place| place)?;
+                let [apart, height] = LEGEND;
+                let place = (WIDTH - right + apart, height * entry as i32 + height / 2);
+                curve.draw_entry(area, place, TEXT)?;
             }
-            frame.draw(&mut svg, if row == last { abscissa } else { &unlabelled });
+            draw_axes(&mut chart, TEXT, false)?;
         }
-        svg + "</svg>"
+        Ok(self.sheet.drawing())
     }
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::super::curve::STYLES;
     use super::*;
-    use crate::pictures::axis::Axis;
-    use crate::pictures::frame::WIDTH;
+    use crate::pictures::charts::axis::Axis;
     use crate::pictures::lettering::checks::{collisions, texts};
 
     #[test]
@@ -84,28 +101,27 @@ mod tests {
         for size in [1e-20, 2e-4, 1.0, 1e20] {
             for count in 1..=5 {
                 let points = [(0.0, 0.5), (1.0, 0.5)];
-                let curve =
-                    |(name, (colour, dashes)): (usize, (&'static str, &'static str))| Curve {
-                        name: format!("curve {name}, absolute"),
-                        colour,
-                        dashes,
-                        points: &points,
-                    };
+                let curve = |(name, (colour, dashes)): (usize, (RGBColor, &'static str))| Curve {
+                    name: format!("curve {name}, absolute"),
+                    colour,
+                    dashes,
+                    points: &points,
+                };
                 let panel = |row: usize| {
                     let axis = Axis::new(size * row as f64, size * (row as f64 + 1e-6), 4);
                     let ordinate = Scale::linear(&axis, "relative deviation (kg m²/s)", false);
                     Panel { ordinate, curves: STYLES.into_iter().enumerate().map(curve).collect() }
                 };
                 let caption = ["a system", "a method", "step 0.1 s"].map(String::from);
-                let panels = Panels::new(&caption, (0..count).map(panel).collect());
+                let panels = Panels::new(&caption, (0..count).map(panel).collect()).unwrap();
                 let axis = Axis::along_line(0.0, size, 5, panels.length());
-                let drawing = panels.draw(&Scale::linear(&axis, "t (s)", false));
-                let canvas = (WIDTH, REST + PANEL * count as f64);
+                let drawing = panels.draw(&Scale::linear(&axis, "t (s)", false)).unwrap();
+                let canvas = [WIDTH, REST + PANEL * count as i32].map(f64::from).into();
                 assert_eq!(collisions(&drawing, canvas), [""; 0], "{size} {count}");
                 let texts = texts(&drawing);
                 let entries = texts.iter().filter(|text| text.starts_with("curve"));
                 assert_eq!(entries.count(), 6 * count);
-                assert_eq!(drawing.matches("<polyline").count(), 6 * count);
+                assert_eq!(drawing.matches("stroke-width=\"21\"").count(), 6 * count);
             }
         }
     }

@@ -43,10 +43,21 @@ pub fn numbers_of(path: &str) -> Vec<f64> {
     path.split_whitespace().filter_map(|word| word.parse().ok()).collect()
 }
 
+/// Returns the data of the lines of a colour and of a width, in units of 0.01 mm.
+pub fn lines(svg: &str, colour: &str, width: u32) -> Vec<String> {
+    let of_width = format!(" stroke-width=\"{width}\"");
+    let svg: String = svg.split_inclusive('\n').filter(|line| line.contains(&of_width)).collect();
+    paths(&svg, &format!("fill=\"none\" stroke=\"{colour}\""))
+}
+
 /// Returns the closed black lines: the edges of fields, and of maps.
 pub fn outlines(svg: &str) -> Vec<Outline> {
-    let lines = paths(svg, "fill=\"none\" stroke=\"#000000\" stroke-width=\"14\"");
-    lines.iter().filter(|path| path.ends_with('Z')).map(|path| Outline::of(path)).collect()
+    let is_closed = |path: &&String| {
+        let points = numbers_of(path);
+        let points = points.as_chunks::<2>().0;
+        path.ends_with('Z') || points.first() == points.last()
+    };
+    lines(svg, "#000000", 14).iter().filter(is_closed).map(|path| Outline::of(path)).collect()
 }
 
 /// Returns the colours of the pixels of the first image, in rows from the top.

@@ -1,6 +1,6 @@
 //! The pictures of runs: each mark is where the numbers of the run put it.
 
-use super::drawn_marks::{Outline, colours, numbers_of, outlines, paths};
+use super::drawn_marks::{Outline, colours, lines, numbers_of, outlines, paths};
 use crate::program::{Finished, Folder, numbers};
 use std::f64::consts::PI;
 
@@ -56,33 +56,30 @@ fn vortices_and_their_tracks_are_where_they_are_on_the_sphere() {
         (x - a).abs() < 1.0 && (y - b).abs() < 1.0
     };
     let disks = paths(&svg, "fill=\"#b2182b\"");
-    let rings = paths(&svg, "fill=\"#ffffff\" stroke=\"#2166ac\"");
+    // A ring is half as wide as its radius, which is 60 for few vortices.
+    let rings = lines(&svg, "#2166ac", 30);
     assert_eq!((disks.len(), rings.len()), (2, 1));
     for (vortex, mark) in disks.iter().chain(&rings).enumerate() {
         assert!(near(place(&rows[70], vortex), &Outline::of(mark)), "{vortex}");
     }
-    let tracks: Vec<String> = ["#b2182b", "#2166ac"]
-        .iter()
-        .flat_map(|colour| paths(&svg, &format!("fill=\"none\" stroke=\"{colour}\"")))
-        .collect();
-    assert_eq!(tracks.len(), 3);
-    for (vortex, track) in tracks.iter().enumerate() {
-        let points = numbers_of(track);
-        let points = points.as_chunks::<2>().0;
-        // A track that leaves the map has two points more.
-        let pieces = track.matches('M').count();
-        assert_eq!(points.len(), rows.len() + 2 * (pieces - 1));
-        for row in &rows {
-            let [x, y] = place(row, vortex);
-            let is_near = |[a, b]: &[f64; 2]| (x - a).abs() < 1.0 && (y - b).abs() < 1.0;
-            assert!(points.iter().any(is_near), "{vortex} {row:?}");
-        }
+    // The pieces of the tracks, of which those of the first two vortices have one colour.
+    let pieces = ["#b2182b", "#2166ac"].map(|colour| lines(&svg, colour, 12));
+    let points: Vec<Vec<f64>> = pieces.iter().flatten().map(|piece| numbers_of(piece)).collect();
+    let count: usize = points.iter().map(|piece| piece.len() / 2).sum();
+    // A track that leaves the map has two points more, and a piece.
+    assert!(points.len() > 3, "no track is at the edge");
+    assert_eq!(count, 3 * rows.len() + 2 * (points.len() - 3));
+    for (vortex, row) in (0..3).flat_map(|vortex| rows.iter().map(move |row| (vortex, row))) {
+        let [x, y] = place(row, vortex);
+        let is_near = |[a, b]: &[f64; 2]| (x - a).abs() < 1.0 && (y - b).abs() < 1.0;
+        let of_colour = pieces[usize::from(vortex == 2)].iter().map(|piece| numbers_of(piece));
+        let is_drawn = of_colour.into_iter().any(|piece| piece.as_chunks().0.iter().any(is_near));
+        assert!(is_drawn, "{vortex} {row:?}");
     }
-    assert!(tracks.iter().any(|track| track.matches('M').count() > 1), "no track is at the edge");
     // Another sample has other places, and the same tracks.
     let (first, _) = drawn(&folder, VORTICES, &["--sample", "0"]);
     assert_ne!(paths(&first, "fill=\"#b2182b\""), disks);
-    assert_eq!(paths(&first, "fill=\"none\" stroke=\"#b2182b\""), tracks[..2]);
+    assert_eq!(lines(&first, "#b2182b", 12), pieces[0]);
 }
 
 #[test]
@@ -151,7 +148,7 @@ fn panels_have_a_curve_for_each_coordinate_and_each_conserved_quantity() {
         let (svg, rows) = drawn(&folder, text, &[]);
         let fields = outlines(&svg);
         assert_eq!(fields.len(), expected.len(), "{text}");
-        let curves = |colour: &str| paths(&svg, &format!("fill=\"none\" stroke=\"{colour}\""));
+        let curves = |colour: &str| lines(&svg, colour, 21);
         let counts: Vec<usize> = COLOURS.iter().map(|colour| curves(colour).len()).collect();
         let panels = |curve: usize| expected.iter().filter(|count| **count > curve).count();
         assert_eq!(counts, (0..6).map(panels).collect::<Vec<_>>(), "{text}");
@@ -199,7 +196,7 @@ fn deviations_from_the_start_are_drawn_on_a_logarithmic_scale() {
     let least = all.iter().flatten().copied().fold(0.0, f64::min).floor() - 0.3;
     let most = all.iter().flatten().copied().fold(-17.0, f64::max).ceil() + 0.3;
     for (values, colour) in all.iter().zip(COLOURS) {
-        let curve = paths(&svg, &format!("fill=\"none\" stroke=\"{colour}\"")).pop().unwrap();
+        let curve = lines(&svg, colour, 21).pop().unwrap();
         let points = numbers_of(&curve);
         let points = points.as_chunks::<2>().0;
         assert_eq!(points.len(), values.len());

@@ -3,7 +3,9 @@
 use super::time_axis::TimeAxis;
 use crate::commands::plot::run_arrays::RunArrays;
 use crate::errors::Error;
-use crate::pictures::raster::{bar, image, pixels, range};
+use crate::pictures::charts::frame::HEIGHT;
+use crate::pictures::colour_scale::colour;
+use crate::pictures::raster::{cells, range};
 use crate::pictures::{Axis, Frame, Scale};
 
 /// The largest number of columns and of rows of pixels.
@@ -30,16 +32,14 @@ pub(in crate::commands::plot) fn chain_picture(run: &RunArrays) -> Result<String
     let range = range(columns.iter().flatten().copied());
     let from_top =
         (0..rows).rev().flat_map(|row| columns.iter().map(move |column| column.get(row).copied()));
-    let cells: Vec<Option<f64>> = from_top.collect();
+    let spins: Vec<Option<f64>> = from_top.collect();
     let ordinate =
         Scale::linear(&Axis::new(0.5, sites as f64 + 0.5, 5), "number of the spin", false);
     let scale = Scale::linear(&Axis::new(range[0], range[1], 4), &format!("{name}₃"), false);
-    let frame = Frame::new(&run.caption(format!("{sites} spins")), ordinate, Some(scale));
-    let abscissa = TimeAxis::new(&run.times).scale(frame.length());
-    let mut svg = Frame::begin();
+    let caption = run.caption(format!("{sites} spins"));
+    let frame = Frame::new(HEIGHT, &caption, ordinate, Some(scale))?;
+    let mut chart = frame.chart(TimeAxis::new(&run.times).scale(frame.length()))?;
     let size = [columns.len() as u32, rows as u32];
-    image(&mut svg, &frame, (frame.left, frame.right), &pixels(size, &cells, Some(range), 255)?);
-    bar(&mut svg, &frame, range)?;
-    frame.draw(&mut svg, &abscissa);
-    Ok(svg + "</svg>")
+    chart.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], size, &spins, Some(range), 255)?])?;
+    frame.complete(chart, colour)
 }

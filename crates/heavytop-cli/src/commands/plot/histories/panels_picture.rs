@@ -14,6 +14,7 @@ use crate::pictures::curves::panels::{Panel, Panels};
 use crate::pictures::{Axis, Scale};
 use crate::runs::Experiment;
 use crate::vocabulary::brief;
+use plotters::style::RGBColor;
 
 /// The curves of a panel: their names, and the points.
 type Curves = Vec<(String, Vec<(f64, f64)>)>;
@@ -65,8 +66,8 @@ pub(in crate::commands::plot) fn panels_picture(run: &RunArrays) -> Result<Strin
         curves: curves.iter().zip(STYLES).map(|(curve, style)| styled(curve, style)).collect(),
     });
     let caption = caption(run, experiment, &plans, (&conserved, all));
-    let panels = Panels::new(&caption, panels.collect());
-    Ok(panels.draw(&time.scale(panels.length())))
+    let panels = Panels::new(&caption, panels.collect())?;
+    panels.draw(&time.scale(panels.length()))
 }
 
 /// Reads the curves of a panel.
@@ -84,7 +85,7 @@ fn read(run: &RunArrays, plan: &PanelPlan) -> Result<Curves, Error> {
 
 fn styled<'a>(
     (name, points): &'a (String, Vec<(f64, f64)>),
-    (colour, dashes): (&'static str, &'static str),
+    (colour, dashes): (RGBColor, &'static str),
 ) -> Curve<'a> {
     Curve { name: plain(name), colour, dashes, points }
 }

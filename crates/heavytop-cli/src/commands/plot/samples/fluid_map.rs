@@ -8,7 +8,8 @@ use super::sphere_map::SphereMap;
 use crate::commands::plot::run_arrays::RunArrays;
 use crate::errors::Error;
 use crate::pictures::caption::number;
-use crate::pictures::raster::{bar, image_at, pixels};
+use crate::pictures::colour_scale::colour;
+use crate::pictures::raster::cells;
 use crate::pictures::{Axis, Scale};
 use lie_poisson_runs::ArraySystem;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -35,7 +36,7 @@ impl<'a> FluidMap<'a> {
     }
 
     /// Returns the vorticity in the rows of pixels from the top, and `None` beside the sphere.
-    fn cells(&self, omega: &[f64]) -> Vec<Option<f64>> {
+    fn vorticity(&self, omega: &[f64]) -> Vec<Option<f64>> {
         let [columns, rows] = SIZE.map(|count| count as usize);
         let mut cells = Vec::with_capacity(columns * rows);
         for row in 0..rows {
@@ -56,7 +57,7 @@ impl<'a> FluidMap<'a> {
 
 impl SamplePicture for FluidMap<'_> {
     fn include(&mut self, sample: &[f64]) {
-        let cells = self.cells(sample);
+        let cells = self.vorticity(sample);
         let inside = cells.iter().flatten();
         // Equal areas of the map are equal areas of the sphere.
         let count = inside.clone().count().max(1);
@@ -70,17 +71,13 @@ impl SamplePicture for FluidMap<'_> {
             Scale::linear(&Axis::new(-most, most, 6), "vorticity (1/s), colours to 3 × rms", false);
         let size = self.run.subject.state().1.first().copied().unwrap_or(0);
         let caption = self.run.caption(format!("N = {size}, t = {} s", number(time)));
-        let map = SphereMap::new(&caption, Some(scale));
-        let mut svg = SphereMap::begin();
-        let ([x, y], radius) = (map.centre, map.radius);
-        let (included, cells) = &self.last;
-        let png = match included == sample {
-            true => pixels(SIZE, cells, Some([-most, most]), 255)?,
-            false => pixels(SIZE, &self.cells(sample), Some([-most, most]), 255)?,
-        };
-        image_at(&mut svg, (x - 2.0 * radius, x + 2.0 * radius), (y - radius, y + radius), &png);
-        bar(&mut svg, &map.frame, [-most, most])?;
-        map.draw(&mut svg);
-        Ok(map.complete(svg))
+        let mut map = SphereMap::new(&caption, Some(scale))?;
+        let (included, vorticity) = &self.last;
+        let computed = (included != sample).then(|| self.vorticity(sample));
+        let vorticity = computed.as_ref().unwrap_or(vorticity);
+        let range = Some([-most, most]);
+        map.map.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], SIZE, vorticity, range, 255)?])?;
+        map.draw()?;
+        map.complete(colour)
     }
 }

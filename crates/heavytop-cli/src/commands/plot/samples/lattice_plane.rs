@@ -4,9 +4,13 @@ use super::sample_picture::SamplePicture;
 use crate::commands::plot::run_arrays::RunArrays;
 use crate::errors::Error;
 use crate::pictures::caption::number;
-use crate::pictures::raster::{bar, image, pixels, range};
+use crate::pictures::charts::chart::Chart;
+use crate::pictures::charts::frame::HEIGHT;
+use crate::pictures::colour_scale::colour;
+use crate::pictures::raster::{cells, range};
 use crate::pictures::{Axis, Frame, Scale};
-use std::fmt::Write;
+use plotters::prelude::*;
+use svg_pictures::SvgElement;
 
 /// The largest number of arrows along an axis.
 const ARROWS: usize = 32;
@@ -51,7 +55,7 @@ impl<'a> LatticePlane<'a> {
     }
 
     /// Returns the third components, the rows from the top.
-    fn cells<'b>(&'b self, spins: &'b [[f64; 3]]) -> impl Iterator<Item = f64> + 'b {
+    fn thirds<'b>(&'b self, spins: &'b [[f64; 3]]) -> impl Iterator<Item = f64> + 'b {
         let [nx, ny, _] = self.shape;
         (0..ny).rev().flat_map(move |y| (0..nx).map(move |x| self.spin(spins, x, y)[2]))
     }
@@ -63,13 +67,13 @@ impl SamplePicture for LatticePlane<'_> {
         let lengths = spins.iter().map(|s| s.iter().map(|x| x * x).sum::<f64>().sqrt());
         self.longest = lengths.fold(self.longest, f64::max);
         let [least, most] = self.ends;
-        self.ends = self.cells(spins).fold([least, most], |[a, b], x| [a.min(x), b.max(x)]);
+        self.ends = self.thirds(spins).fold([least, most], |[a, b], x| [a.min(x), b.max(x)]);
     }
 
     fn draw(&self, sample: &[f64], time: f64) -> Result<String, Error> {
         let spins = sample.as_chunks::<3>().0;
         let [nx, ny, nz] = self.shape;
-        let cells: Vec<Option<f64>> = self.cells(spins).map(Some).collect();
+        let thirds: Vec<Option<f64>> = self.thirds(spins).map(Some).collect();
         let range = range(self.ends.into_iter());
         let axis = |count: usize| Axis::new(-0.5, count as f64 - 0.5, 5);
         let ordinate = Scale::linear(&axis(ny), "second index", false);
@@ -79,65 +83,48 @@ impl SamplePicture for LatticePlane<'_> {
             1 => format!("t = {} s", number(time)),
             _ => format!("plane {} of {nz}, t = {} s", self.plane, number(time)),
         };
-        let frame = Frame::new(&self.run.caption(what), ordinate, Some(scale));
-        let abscissa = Scale::linear(&axis(nx), "first index", false);
-        let mut svg = Frame::begin();
-        let across = (frame.left, frame.right);
+        let frame = Frame::new(HEIGHT, &self.run.caption(what), ordinate, Some(scale))?;
+        let mut chart = frame.chart(Scale::linear(&axis(nx), "first index", false))?;
         let size = [nx as u32, ny as u32];
-        image(&mut svg, &frame, across, &pixels(size, &cells, Some(range), 255)?);
-        arrows(&mut svg, &frame, [nx, ny], |x, y| {
+        chart.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], size, &thirds, Some(range), 255)?])?;
+        draw_arrows(&chart, [nx, ny], |x, y| {
             let [first, second, _] = self.spin(spins, x, y);
             [first / self.longest, second / self.longest]
-        });
-        bar(&mut svg, &frame, range)?;
-        frame.draw(&mut svg, &abscissa);
-        Ok(svg + "</svg>")
+        })?;
+        frame.complete(chart, colour)
     }
 }
 
 /// Draws an arrow for each spin of the plane, or for some of many.
-fn arrows(
-    svg: &mut String,
-    frame: &Frame,
+fn draw_arrows(
+    chart: &Chart<'_>,
     [nx, ny]: [usize; 2],
     spin: impl Fn(usize, usize) -> [f64; 2],
-) {
+) -> Result<(), Error> {
+    let field = chart.plotting_area().strip_coord_spec();
+    let (width, height) = field.dim_in_pixel();
+    let cell = [f64::from(width) / nx as f64, f64::from(height) / ny as f64];
     let strides = [nx, ny].map(|count| count.div_ceil(ARROWS).max(1));
-    let (width, height) = (frame.right - frame.left, frame.bottom - frame.top);
-    let cell = [width / nx as f64, height / ny as f64];
     let length = 0.9 * (cell[0] * strides[0] as f64).min(cell[1] * strides[1] as f64);
-    let mut path = String::new();
-    for x in (strides[0] / 2..nx).step_by(strides[0]) {
-        for y in (strides[1] / 2..ny).step_by(strides[1]) {
-            let [first, second] = spin(x, y).map(|part| part * length);
-            let centre = [
-                frame.left + cell[0] * (x as f64 + 0.5),
-                frame.bottom - cell[1] * (y as f64 + 0.5),
-            ];
-            let tip = [centre[0] + 0.5 * first, centre[1] - 0.5 * second];
-            // The head is two lines at 25° from the shaft. Writing to a string does not fail.
-            let head = |side: f64| {
-                let (sin, cos) = (side * 25_f64.to_radians()).sin_cos();
-                let back = [-0.3 * first, 0.3 * second];
-                [back[0] * cos - back[1] * sin, back[0] * sin + back[1] * cos]
-            };
-            let ([a, b], [c, d]) = (head(1.0), head(-1.0));
-            let _ = write!(
-                path,
-                "M{:.0} {:.0}L{:.0} {:.0}l{a:.0} {b:.0}M{:.0} {:.0}l{c:.0} {d:.0}",
-                centre[0] - 0.5 * first,
-                centre[1] + 0.5 * second,
-                tip[0],
-                tip[1],
-                tip[0],
-                tip[1]
-            );
-        }
+    let along = |axis: usize, count| (strides[axis] / 2..count).step_by(strides[axis]);
+    let arrow = |(x, y): (usize, usize)| {
+        let [first, second] = spin(x, y).map(|part| part * length);
+        let centre = [cell[0] * (x as f64 + 0.5), cell[1] * ((ny - y) as f64 - 0.5)];
+        let from_centre =
+            |[x, y]: [f64; 2]| ((centre[0] + x).round() as i32, (centre[1] - y).round() as i32);
+        // The head is two lines at 25° from the shaft.
+        let side = |side: f64| {
+            let (sin, cos) = (side * 25_f64.to_radians()).sin_cos();
+            let [back, up] = [-0.3 * first, -0.3 * second];
+            from_centre([0.5 * first + back * cos - up * sin, 0.5 * second + back * sin + up * cos])
+        };
+        let tip = from_centre([0.5 * first, 0.5 * second]);
+        [from_centre([-0.5 * first, -0.5 * second]), tip, side(1.0), tip, side(-1.0)]
+    };
+    let places = along(0, nx).flat_map(|x| along(1, ny).map(move |y| (x, y)));
+    let arrows: Vec<_> = places.map(arrow).collect();
+    for style in [WHITE.stroke_width(34), BLACK.stroke_width(14)] {
+        field.draw(&SvgElement::lines(arrows.clone(), style))?;
     }
-    for (colour, width) in [("white", 34), ("black", 14)] {
-        let _ = write!(
-            svg,
-            "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"/>"
-        );
-    }
+    Ok(())
 }

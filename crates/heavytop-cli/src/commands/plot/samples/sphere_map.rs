@@ -3,83 +3,85 @@
 //! With x and y from −1 to 1 and sin α = y, the latitude is asin((2α + sin 2α)/π) and the longitude πx/cos α. Source:
 //! J. P. Snyder, *Map Projections: A Working Manual* (1987), p. 251.
 
+use crate::errors::Error;
+use crate::pictures::charts::chart::{Chart, rule};
 use crate::pictures::{Frame, Scale};
-use std::f64::consts::{FRAC_PI_2, PI};
-use std::fmt::Write;
+use plotters::prelude::*;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The height of a picture, in units of 0.01 mm: a map is half as high as wide.
-const HEIGHT: f64 = 6_900.0;
+const HEIGHT: i32 = 6_900;
 
-/// The place of the map of a sphere in its frame.
+/// The map of a sphere in a frame.
 pub(super) struct SphereMap {
-    pub frame: Frame,
-    pub centre: [f64; 2],
-    /// Half of the height.
-    pub radius: f64,
+    frame: Frame,
+    chart: Chart<'static>,
+    /// The map, whose coordinates are from 0 to 1.
+    pub map: Chart<'static>,
+    /// Half of the height of the map, in units of 0.01 mm.
+    pub radius: i32,
 }
 
 impl SphereMap {
     /// Creates the map in a frame with this caption and this bar of colours.
-    pub fn new(caption: &[String], bar: Option<Scale>) -> Self {
-        let blank = Scale { ticks: Vec::new(), title: String::new(), line: None };
-        let frame = Frame::of_height(HEIGHT, caption, blank, bar);
-        let centre = [(frame.left + frame.right) / 2.0, (frame.top + frame.bottom) / 2.0];
-        let radius =
-            0.985 * ((frame.right - frame.left) / 4.0).min((frame.bottom - frame.top) / 2.0);
-        Self { frame, centre, radius }
-    }
-
-    /// Returns the place of a latitude and a longitude, in radians.
-    pub fn place(&self, latitude: f64, longitude: f64) -> [f64; 2] {
-        // Newton's iteration for 2α + sin 2α = π sin(latitude); at the poles, where the derivative vanishes, α is known.
-        let mut angle = latitude;
-        if latitude.abs() < FRAC_PI_2 - 1e-9 {
-            for _ in 0..30 {
-                let excess = 2.0 * angle + (2.0 * angle).sin() - PI * latitude.sin();
-                angle -= excess / (2.0 + 2.0 * (2.0 * angle).cos());
-            }
-        }
-        let [x, y] = [2.0 * longitude / PI * angle.cos(), angle.sin()];
-        [self.centre[0] + self.radius * x, self.centre[1] - self.radius * y]
-    }
-
-    /// Returns the beginning of the drawing.
-    pub fn begin() -> String {
-        Frame::begin_of_height(HEIGHT)
+    ///
+    /// # Errors
+    /// If the caption cannot be drawn.
+    pub fn new(caption: &[String], bar: Option<Scale>) -> Result<Self, Error> {
+        let frame = Frame::new(HEIGHT, caption, Scale::default(), bar)?;
+        let title =
+            "Mollweide's projection; lines every 30° of latitude and 60° of longitude".into();
+        let chart = frame.chart(Scale { title, ..Scale::default() })?;
+        let field = chart.plotting_area().strip_coord_spec();
+        let (width, height) = field.dim_in_pixel();
+        let [width, height] = [width as i32, height as i32];
+        let radius = (0.985 * f64::from(width.min(2 * height)) / 4.0) as i32;
+        let corner = (width / 2 - 2 * radius, height / 2 - radius);
+        // A chart ends one unit before the edge of its area.
+        let area = field.shrink(corner, (4 * radius + 1, 2 * radius + 1));
+        let map = ChartBuilder::on(&area).build_cartesian_2d(Scale::default(), Scale::default())?;
+        Ok(Self { frame, chart, map, radius })
     }
 
     /// Draws the outline, and parallels and meridians every 30 and 60 degrees.
-    pub fn draw(&self, svg: &mut String) {
-        let mut path = String::new();
-        let mut line = |points: &mut dyn Iterator<Item = [f64; 2]>| {
-            for (number, [x, y]) in points.enumerate() {
-                // Writing to a string does not fail.
-                let _ = write!(path, "{}{x:.0} {y:.0}", if number == 0 { 'M' } else { 'L' });
-            }
-        };
-        for degrees in [-60.0_f64, -30.0, 0.0, 30.0, 60.0] {
-            let latitude = degrees.to_radians();
-            line(&mut [-PI, PI].into_iter().map(|longitude| self.place(latitude, longitude)));
-        }
-        for degrees in [-120.0_f64, -60.0, 0.0, 60.0, 120.0] {
+    ///
+    /// # Errors
+    /// If plotters cannot draw them.
+    pub fn draw(&mut self) -> Result<(), Error> {
+        let parallels = [-60.0_f64, -30.0, 0.0, 30.0, 60.0].map(|degrees| {
+            [-PI, PI].map(|longitude| place([degrees.to_radians(), longitude])).to_vec()
+        });
+        let meridians = [-120.0_f64, -60.0, 0.0, 60.0, 120.0].map(|degrees| {
             let along = (0..=60).map(|i| PI * (f64::from(i) / 60.0 - 0.5));
-            line(&mut along.map(|latitude| self.place(latitude, degrees.to_radians())));
-        }
-        let ([x, y], radius) = (self.centre, self.radius);
-        let _ = write!(
-            svg,
-            "<path d=\"{path}\" fill=\"none\" stroke=\"#808080\" stroke-width=\"8\"/>\
-             <ellipse cx=\"{x:.0}\" cy=\"{y:.0}\" rx=\"{:.0}\" ry=\"{radius:.0}\" fill=\"none\" \
-             stroke=\"black\" stroke-width=\"14\"/>",
-            2.0 * radius
-        );
+            along.map(|latitude| place([latitude, degrees.to_radians()])).collect()
+        });
+        let style = RGBColor(128, 128, 128).stroke_width(8);
+        let lines = parallels.into_iter().chain(meridians);
+        self.map.draw_series(lines.map(|line| PathElement::new(line, style)))?;
+        let circle = (0..=360).map(|i| (TAU * f64::from(i) / 360.0).sin_cos());
+        let outline: Vec<_> = circle.map(|(y, x)| (0.5 + 0.5 * x, 0.5 + 0.5 * y)).collect();
+        self.map.draw_series([PathElement::new(outline, rule())])?;
+        Ok(())
     }
 
-    /// Draws the caption and the bar of colours, and completes the drawing.
-    pub fn complete(&self, mut svg: String) -> String {
-        let title =
-            "Mollweide's projection; lines every 30° of latitude and 60° of longitude".into();
-        self.frame.draw(&mut svg, &Scale { ticks: Vec::new(), title, line: None });
-        svg + "</svg>"
+    /// Draws the caption and the bar of these colours, and returns the drawing.
+    ///
+    /// # Errors
+    /// If a label cannot be drawn.
+    pub fn complete(self, colour: impl Fn(f64) -> [u8; 3]) -> Result<String, Error> {
+        self.frame.complete(self.chart, colour)
     }
+}
+
+/// Returns the place of a latitude and a longitude, in radians, on the map.
+pub(super) fn place([latitude, longitude]: [f64; 2]) -> (f64, f64) {
+    // Newton's iteration for 2α + sin 2α = π sin(latitude); at the poles, where the derivative vanishes, α is known.
+    let mut angle = latitude;
+    if latitude.abs() < FRAC_PI_2 - 1e-9 {
+        for _ in 0..30 {
+            let excess = 2.0 * angle + (2.0 * angle).sin() - PI * latitude.sin();
+            angle -= excess / (2.0 + 2.0 * (2.0 * angle).cos());
+        }
+    }
+    (0.5 + 0.5 * longitude / PI * angle.cos(), 0.5 + 0.5 * angle.sin())
 }

@@ -1,16 +1,16 @@
 //! The picture of vortices on the sphere: [`VortexMap`].
 
 use super::sample_picture::SamplePicture;
-use super::sphere_map::SphereMap;
+use super::sphere_map::{SphereMap, place};
 use super::vortex_tracks::{VortexTracks, places};
 use crate::commands::plot::run_arrays::RunArrays;
 use crate::errors::Error;
 use crate::pictures::caption::number;
-use crate::pictures::colour_scale::SIGNS;
-use std::fmt::Write;
+use crate::pictures::colour_scale::{SIGNS, colour};
+use plotters::prelude::*;
 
 /// The width of tracks, in units of 0.01 mm.
-const TRACK: f64 = 12.0;
+const TRACK: u32 = 12;
 
 /// Vortices at a sample, disks for positive and rings for negative strengths, and their tracks over the whole run.
 pub(super) struct VortexMap<'a> {
@@ -38,41 +38,32 @@ impl SamplePicture for VortexMap<'_> {
 
     fn draw(&self, sample: &[f64], time: f64) -> Result<String, Error> {
         let what = format!("disks positive, rings negative, t = {} s", number(time));
-        let map = SphereMap::new(&self.run.caption(what), None);
-        let mut svg = SphereMap::begin();
-        map.draw(&mut svg);
-        for (path, strength) in self.tracks.paths(&map).zip(&self.strengths) {
-            let colour = colour(*strength);
-            // Writing to a string does not fail.
-            let _ = write!(
-                svg,
-                "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{TRACK}\" \
-                 stroke-linejoin=\"round\"/>"
-            );
+        let mut map = SphereMap::new(&self.run.caption(what), None)?;
+        map.draw()?;
+        for (pieces, strength) in self.tracks.pieces().zip(&self.strengths) {
+            let style = sign(*strength).stroke_width(TRACK);
+            let lines = pieces.into_iter().map(|piece| PathElement::new(piece, style));
+            map.map.draw_series(lines)?;
         }
-        let radius = (4.0 * map.radius / (sample.len() as f64).sqrt()).clamp(12.0, 60.0);
-        for ([latitude, longitude], strength) in
-            places(sample, &self.strengths).zip(&self.strengths)
-        {
-            let [x, y] = map.place(latitude, longitude);
-            let colour = colour(*strength);
-            let style = match *strength > 0.0 {
-                true => format!("fill=\"{colour}\""),
+        let radius = f64::from(4 * map.radius) / (sample.len() as f64).sqrt();
+        let radius = radius.clamp(12.0, 60.0) as i32;
+        for (vortex, strength) in places(sample, &self.strengths).zip(&self.strengths) {
+            let disk = |style| Circle::new(place(vortex), radius, style);
+            let colour = sign(*strength);
+            match *strength > 0.0 {
+                true => map.map.draw_series([disk(colour.filled())])?,
                 false => {
-                    format!(
-                        "fill=\"white\" stroke=\"{colour}\" stroke-width=\"{:.0}\"",
-                        0.5 * radius
-                    )
+                    let ring = colour.stroke_width(radius.unsigned_abs() / 2);
+                    map.map.draw_series([disk(WHITE.filled()), disk(ring)])?
                 }
             };
-            let _ = write!(svg, "<circle cx=\"{x:.0}\" cy=\"{y:.0}\" r=\"{radius:.0}\" {style}/>");
         }
-        Ok(map.complete(svg))
+        map.complete(colour)
     }
 }
 
-/// Returns the colour of a strength, as CSS writes it.
-fn colour(strength: f64) -> String {
+/// Returns the colour of a strength.
+fn sign(strength: f64) -> RGBColor {
     let [red, green, blue] = SIGNS[usize::from(strength <= 0.0)];
-    format!("rgb({red},{green},{blue})")
+    RGBColor(red, green, blue)
 }

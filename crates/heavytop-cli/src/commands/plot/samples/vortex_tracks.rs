@@ -1,10 +1,9 @@
 //! The tracks of vortices on the sphere: [`VortexTracks`].
 
-use super::sphere_map::SphereMap;
+use super::sphere_map::place;
 use crate::commands::plot::run_arrays::RunArrays;
 use crate::errors::Error;
 use std::f64::consts::{PI, TAU};
-use std::fmt::Write;
 
 /// The largest number of vortices whose tracks are drawn: those of more would hide each other.
 const MOST_VORTICES: usize = 48;
@@ -40,20 +39,23 @@ impl VortexTracks {
         Ok(Self { tracks })
     }
 
-    /// Returns the data of an SVG path for each vortex.
-    pub fn paths<'a>(&'a self, map: &'a SphereMap) -> impl Iterator<Item = String> + 'a {
-        self.tracks.iter().map(move |track| {
-            let mut path = String::new();
-            for (number, place) in track.iter().enumerate() {
-                let before = number.checked_sub(1).and_then(|before| track.get(before));
-                let edges = before.and_then(|before| edges(*before, *place));
-                if let Some([end, begin]) = edges {
-                    point(&mut path, 'L', map, end);
-                    point(&mut path, 'M', map, begin);
+    /// Returns the tracks on the map: of each vortex its pieces, which end where it leaves the map.
+    pub fn pieces(&self) -> impl Iterator<Item = Vec<Vec<(f64, f64)>>> {
+        self.tracks.iter().map(|track| {
+            let mut pieces = vec![Vec::new()];
+            let mut last = None;
+            for point in track {
+                let edges = last.and_then(|last| edges(last, *point));
+                if let (Some([end, begin]), Some(piece)) = (edges, pieces.last_mut()) {
+                    piece.push(place(end));
+                    pieces.push(vec![place(begin)]);
                 }
-                point(&mut path, if number == 0 { 'M' } else { 'L' }, map, *place);
+                if let Some(piece) = pieces.last_mut() {
+                    piece.push(place(*point));
+                }
+                last = Some(*point);
             }
-            path
+            pieces
         })
     }
 }
@@ -75,12 +77,6 @@ fn edges([latitude, longitude]: [f64; 2], [next, end]: [f64; 2]) -> Option<[[f64
     let part = (edge - longitude) / (end + TAU.copysign(longitude) - longitude);
     let crossing = latitude + (next - latitude) * part;
     Some([[crossing, edge], [crossing, -edge]])
-}
-
-fn point(path: &mut String, command: char, map: &SphereMap, [latitude, longitude]: [f64; 2]) {
-    let [x, y] = map.place(latitude, longitude);
-    // Writing to a string does not fail.
-    let _ = write!(path, "{command}{x:.0} {y:.0}");
 }
 
 #[cfg(test)]

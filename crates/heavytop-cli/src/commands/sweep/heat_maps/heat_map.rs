@@ -5,11 +5,15 @@ use crate::commands::sweep::sweep_plan::Plan;
 use crate::configuration::{Column, Spread, SweepAxis};
 use crate::errors::Error;
 use crate::pictures::caption::{self, number};
-use crate::pictures::frame::{EDGE, HEIGHT, TEXT, WIDTH};
+use crate::pictures::charts::chart::TEXT;
+use crate::pictures::charts::frame::{HEIGHT, WIDTH};
+use crate::pictures::charts::sheet::{Area, EDGE, LINE, text};
+use crate::pictures::colour_scale::colour;
 use crate::pictures::lettering::width;
-use crate::pictures::raster::{bar, image, pixels};
+use crate::pictures::raster::cells;
 use crate::pictures::{Axis, Frame, Scale};
-use std::fmt::Write;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, VPos};
 
 /// The smallest number whose logarithm is distinguished, relative to the largest number of the map.
 const SMALLEST: f64 = 1e-16;
@@ -57,7 +61,7 @@ pub(in crate::commands::sweep) fn heat_map(
     // The first axis is the abscissa, and the top row has the largest value of the second.
     let (width, height) = (columns as usize, rows as usize);
     let from_top = (0..height).rev().flat_map(|y| (0..width).map(move |x| x * height + y));
-    let cells: Vec<Option<f64>> =
+    let shades: Vec<Option<f64>> =
         from_top.map(|index| scaled.get(index).copied().flatten()).collect();
 
     let labels = plan.family.labels();
@@ -67,24 +71,19 @@ pub(in crate::commands::sweep) fn heat_map(
     let (low, high) = ends(second);
     let ordinate = Axis::new(low, high, 5);
     let ordinate = Scale::linear(&ordinate, upward, is_reversed(second));
-    let frame = Frame::new(&words(plan), ordinate, range.map(|range| bar_scale(column, range)));
+    let bar = range.map(|range| bar_scale(column, range));
+    let frame = Frame::new(HEIGHT, &words(plan), ordinate, bar)?;
     let (low, high) = ends(first);
     let abscissa = Axis::along_line(low, high, 5, frame.length());
-    let abscissa = Scale::linear(&abscissa, along, is_reversed(first));
-
-    let mut svg = Frame::begin();
-    let across = (frame.left, frame.right);
-    image(&mut svg, &frame, across, &pixels([columns, rows], &cells, range, NONE)?);
-    if let Some([least, most]) = range {
-        bar(&mut svg, &frame, [least, most])?;
-        if missing > 0 {
-            key(&mut svg, missing);
-        }
-    } else {
-        blank(&mut svg, &frame, column, (failed, plan));
+    let mut chart = frame.chart(Scale::linear(&abscissa, along, is_reversed(first)))?;
+    let corners = [(0.0, 1.0), (1.0, 0.0)];
+    chart.draw_series([cells(corners, [columns, rows], &shades, range, NONE)?])?;
+    if range.is_none() {
+        blank(&chart.plotting_area().strip_coord_spec(), column, (failed, plan))?;
+    } else if missing > 0 {
+        key(&frame.sheet.body, missing)?;
     }
-    frame.draw(&mut svg, &abscissa);
-    Ok(svg + "</svg>")
+    frame.complete(chart, colour)
 }
 
 /// Returns the parts of the caption: how many members, by which method, and what all of them share.
@@ -115,24 +114,19 @@ fn is_reversed(axis: &SweepAxis) -> bool {
     matches!(axis.spread, Spread::Grid { from, to, .. } if from > to)
 }
 
-// Writing to a string does not fail.
-
 /// Explains the colour of what has no value, below the bar of colours.
-fn key(svg: &mut String, missing: usize) {
+fn key(area: &Area, missing: usize) -> Result<(), Error> {
     let label = format!("no value: {missing}");
-    let (right, y) = (WIDTH - EDGE, HEIGHT - 2.0 * EDGE);
-    let _ = write!(
-        svg,
-        "<rect x=\"{:.0}\" y=\"{:.0}\" width=\"300\" height=\"260\" fill=\"rgb({NONE},{NONE},{NONE})\"/>\
-         <text x=\"{right:.0}\" y=\"{y:.0}\" text-anchor=\"end\">{label}</text>",
-        right - width(&label) * TEXT - 420.0,
-        y - 230.0
-    );
+    let (right, bottom) = (WIDTH - EDGE, area.dim_in_pixel().1 as i32 - EDGE);
+    area.draw_text(&label, &text(TEXT, HPos::Right, VPos::Bottom), (right, bottom))?;
+    let left = right - (width(&label) * TEXT) as i32 - 420;
+    let corners = [(left, bottom - 310), (left + 300, bottom - 50)];
+    area.draw(&Rectangle::new(corners, RGBColor(NONE, NONE, NONE).filled()))?;
+    Ok(())
 }
 
 /// Says in a map without values why it is blank.
-fn blank(svg: &mut String, frame: &Frame, column: &Column, (failed, plan): (u64, &Plan)) {
-    let (x, y) = ((frame.left + frame.right) / 2.0, (frame.top + frame.bottom) / 2.0);
+fn blank(area: &Area, column: &Column, (failed, plan): (u64, &Plan)) -> Result<(), Error> {
     let [noun, nouns] = plan.family.nouns();
     let lines = [
         format!("No {noun} has a value of"),
@@ -140,10 +134,13 @@ fn blank(svg: &mut String, frame: &Frame, column: &Column, (failed, plan): (u64,
         format!("{failed} of {} {nouns} could not be followed", plan.members),
         "sweep.parquet has the reasons".to_owned(),
     ];
+    let (width, height) = area.dim_in_pixel();
     for (row, line) in lines.iter().enumerate() {
-        let y = y + 1.6 * TEXT * (row as f64 - 1.0);
-        let _ = write!(svg, "<text x=\"{x:.0}\" y=\"{y:.0}\" text-anchor=\"middle\">{line}</text>");
+        let y = f64::from(height) / 2.0 + 1.2 * LINE * TEXT * (row as f64 - 1.0);
+        let style = text(TEXT, HPos::Center, VPos::Center);
+        area.draw_text(line, &style, (width as i32 / 2, y as i32))?;
     }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -187,7 +184,7 @@ mod tests {
                     [size, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0],
                 ] {
                     let (drawing, texts) = map(size, observable, &with(values));
-                    let found = collisions(&drawing, (WIDTH, HEIGHT));
+                    let found = collisions(&drawing, (WIDTH.into(), HEIGHT.into()));
                     assert_eq!(found, [""; 0], "{size} {observable} {texts:?}");
                     let has = |part: &str| texts.iter().any(|text| text.contains(part));
                     assert!(has("9 tops; ") && has("step 0.1 s") && has("0 to 100 s"), "{texts:?}");
@@ -215,7 +212,7 @@ mod tests {
         let names: Vec<&str> = plan.columns.iter().map(|column| &*column.name).collect();
         assert_eq!(names, ["drift_h", "drift_c1", "drift_c2"]);
         let drawing = heat_map(&plan, [3, 3], &plan.columns[1], &with(VALUES), 0).unwrap();
-        assert_eq!(collisions(&drawing, (WIDTH, HEIGHT)), [""; 0]);
+        assert_eq!(collisions(&drawing, (WIDTH.into(), HEIGHT.into())), [""; 0]);
         let written = texts(&drawing);
         let caption = written.join("; ");
         for part in [
@@ -260,7 +257,7 @@ mod tests {
     fn a_map_without_values_says_why() {
         let (drawing, texts) = map(1.0, "megno", &[None; 9]);
         assert!(texts.iter().any(|text| text == "9 of 9 tops could not be followed"), "{texts:?}");
-        assert_eq!(collisions(&drawing, (WIDTH, HEIGHT)), [""; 0]);
+        assert_eq!(collisions(&drawing, (WIDTH.into(), HEIGHT.into())), [""; 0]);
         // A value that is not a number is none.
         assert_eq!(map(1.0, "megno", &[Some(f64::NAN); 9]).1.len(), texts.len());
         // Controls: one value is enough for a bar of colours; the others are counted beside the colour of no value.

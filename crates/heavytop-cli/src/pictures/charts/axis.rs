@@ -1,7 +1,7 @@
 //! Axes of pictures: ranges, ticks and tick labels.
 
-use super::lettering::width;
-use super::numerals::{exact, power_of_ten};
+use crate::pictures::lettering::width;
+use crate::pictures::numerals::{exact, power_of_ten};
 
 /// The largest number of ticks.
 const MOST_TICKS: usize = 100;

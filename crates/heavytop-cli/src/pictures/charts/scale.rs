@@ -1,14 +1,16 @@
 //! The ticks and the title of an axis or of a bar of colours, by their places.
 
 use super::axis::Axis;
-use super::lettering::widest;
-use super::numerals::exact;
+use crate::pictures::lettering::widest;
+use crate::pictures::numerals::exact;
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+use std::ops::Range;
 
 /// The number of ticks below which they do not show a logarithmic scale.
 const FEW: usize = 3;
 
-/// The ticks and the title of an axis.
-#[derive(Clone, Debug, PartialEq)]
+/// The ticks and the title of an axis; it has none by default.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Scale {
     /// The places of the ticks, from 0 to 1, and their labels.
     pub ticks: Vec<(f64, String)>,
@@ -64,6 +66,34 @@ impl Scale {
     /// Returns the width of the widest label, as a multiple of its size.
     pub fn label_width(&self) -> f64 {
         widest(self.ticks.iter().map(|(_, label)| label.as_str()))
+    }
+}
+
+/// The coordinates of a chart are places; what is drawn thus never depends on the unit of a quantity.
+impl Ranged for Scale {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, along: &f64, (from, to): (i32, i32)) -> i32 {
+        from + (f64::from(to - from) * along).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        match hint.weight().allow_light_points() {
+            true => Vec::new(),
+            false => self.ticks.iter().map(|(along, _)| *along).collect(),
+        }
+    }
+
+    fn range(&self) -> Range<f64> {
+        0.0..1.0
+    }
+}
+
+impl ValueFormatter<f64> for Scale {
+    fn format_ext(&self, along: &f64) -> String {
+        let tick = self.ticks.iter().find(|(place, _)| place == along);
+        tick.map_or_else(String::new, |(_, label)| label.clone())
     }
 }
 
