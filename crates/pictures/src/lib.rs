@@ -33,6 +33,7 @@
 //! | when you need | use |
 //! |---|---|
 //! | a drawing as a file | [`Picture`] |
+//! | a chart that the library plotters composes | [`SvgCanvas`], and [`SvgElement`] for dashes, many dots or lines, and cells |
 //! | room for a text before it is drawn | [`width`] |
 //! | where the texts of a drawing are | [`boxes`] |
 //! | a drawing without texts for another renderer | [`outlined`] |
@@ -50,7 +51,7 @@
 //!
 //! # Features and versions
 //!
-//! The crate has no features. The oldest supported compiler is Rust 1.89.
+//! The crate has no features. Its canvas is for plotters 0.3. The oldest supported compiler is Rust 1.89.
 //!
 //! # Licence of the font
 //!

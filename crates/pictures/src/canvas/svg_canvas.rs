@@ -4,7 +4,6 @@ use super::paints::{paint, painted};
 use crate::error::PictureError;
 use crate::fonts::faces::face;
 use crate::lettering::boxes::width;
-use crate::rendering::cells::encoded;
 use plotters_backend::text_anchor::{HPos, VPos};
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
@@ -225,19 +224,6 @@ impl DrawingBackend for SvgCanvas {
         let [ascent, descent] = extent();
         let whole = |part: f64| (style.size() * part).ceil() as u32;
         Ok((whole(width), whole(ascent + descent)))
-    }
-
-    fn blit_bitmap(
-        &mut self,
-        (x, y): BackendCoord,
-        (width, height): (u32, u32),
-        pixels: &[u8],
-    ) -> Drawn {
-        let colours = pixels.as_chunks::<3>().0.iter().copied();
-        let png = encoded([width, height], colours).map_err(DrawingErrorKind::DrawingError)?;
-        let corner = (x.saturating_add_unsigned(width), y.saturating_add_unsigned(height));
-        self.add_cells((x, y), corner, &png);
-        Ok(())
     }
 }
 

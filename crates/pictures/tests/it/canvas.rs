@@ -108,7 +108,7 @@ fn texts_are_anchored_at_their_places_and_as_large_as_estimated() {
 }
 
 #[test]
-fn cells_fill_their_rectangle_and_a_bitmap_its_pixels() {
+fn cells_fill_their_rectangle() {
     let colours = [RED_PIXEL, [0, 0, 255], [0, 255, 0], [9, 9, 9]];
     // From the lower right to the upper left, as a chart may have its corners.
     let cells = SvgElement::cells([(200, 150), (100, 50)], [2, 2], colours).unwrap();
@@ -124,10 +124,6 @@ fn cells_fill_their_rectangle_and_a_bitmap_its_pixels() {
         let refused = SvgElement::cells([(0, 0), (9, 9)], size, []);
         assert!(matches!(refused, Err(PictureError::Pixels { scale: 1.0, .. })), "{size:?}");
     }
-    let mut canvas = SvgCanvas::new([300, 200], 1, "px");
-    canvas.blit_bitmap((7, 9), (2, 1), &[RED_PIXEL, [0, 0, 255]].concat()).unwrap();
-    let drawing = canvas.drawing();
-    assert_eq!([[7, 9], [8, 9]].map(|at| colour_at(&drawing, at)), [RED_PIXEL, [0, 0, 255]]);
 }
 
 #[test]

@@ -75,7 +75,7 @@ impl Ranged for Scale {
     type ValueType = f64;
 
     fn map(&self, along: &f64, (from, to): (i32, i32)) -> i32 {
-        from + (f64::from(to - from) * along).round() as i32
+        from.saturating_add((f64::from(to - from) * along).round() as i32)
     }
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
@@ -100,6 +100,7 @@ impl ValueFormatter<f64> for Scale {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use plotters::coord::ranged1d::{BoldPoints, LightPoints};
 
     #[test]
     fn a_logarithmic_scale_has_ticks_enough_and_in_order() {
@@ -122,5 +123,23 @@ mod tests {
         let scale = Scale::logarithmic([0.0, 1.0], "MEGNO").with_line(0.31, "2 (regular)", 0.05);
         let labels: Vec<&str> = scale.ticks.iter().map(|(_, label)| label.as_str()).collect();
         assert_eq!(labels, ["1", "2 (regular)", "5", "10"]);
+    }
+
+    /// The ticks and the labels of a chart are those of the scale, and no place leads to an overflow.
+    #[test]
+    fn charts_have_the_ticks_of_the_scale() {
+        let scale = Scale::linear(&Axis::new(-1e300, 1e300, 4), "h (J)", false);
+        let labels = |places: Vec<f64>| -> Vec<String> {
+            places.iter().map(|place| scale.format_ext(place)).collect()
+        };
+        assert_eq!(labels(scale.key_points(BoldPoints(1))), ["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
+        // Controls: there are none for fine lines, and no label beside a tick.
+        assert!(scale.key_points(LightPoints::new(9, 9)).is_empty());
+        assert_eq!(labels(vec![0.1]), [""]);
+        assert_eq!([0.0, 0.25, 1.0].map(|along| scale.map(&along, (900, 100))), [900, 700, 100]);
+        for along in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300] {
+            let _ = scale.map(&along, (900, 100));
+            let _ = scale.map(&along, (100, 900));
+        }
     }
 }

@@ -98,7 +98,7 @@ mod tests {
 
     #[test]
     fn labels_are_apart_and_cut_at_no_scale() {
-        for size in [1e-20, 2e-4, 1.0, 1e20] {
+        for size in [1e-300, 1e-20, 2e-4, 1.0, 1e20, 1e300] {
             for count in 1..=5 {
                 let points = [(0.0, 0.5), (1.0, 0.5)];
                 let curve = |(name, (colour, dashes)): (usize, (RGBColor, &'static str))| Curve {
