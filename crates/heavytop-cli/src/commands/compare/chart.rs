@@ -5,7 +5,7 @@ use super::measurement::Measurement;
 use super::style::Style;
 use crate::errors::Error;
 use crate::pictures::caption::{self, number};
-use crate::pictures::charts::chart::{Chart, draw_axes};
+use crate::pictures::charts::scaled_chart::{Chart, draw_axes};
 use crate::pictures::charts::sheet::{Area, EDGE, Sheet, text};
 use crate::pictures::lettering::{fitting, width};
 use crate::pictures::numerals::power_of_ten;

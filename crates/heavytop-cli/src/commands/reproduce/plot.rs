@@ -2,7 +2,7 @@
 
 use super::figures::Figure;
 use crate::errors::Error;
-use crate::pictures::charts::chart::{below, beside, draw_axes};
+use crate::pictures::charts::scaled_chart::{below, beside, draw_axes};
 use crate::pictures::charts::sheet::{EDGE, Sheet};
 use crate::pictures::lettering::width;
 use crate::pictures::{Axis, Scale};

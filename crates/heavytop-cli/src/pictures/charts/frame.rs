@@ -1,7 +1,7 @@
 //! The frame of a picture: a field between two axes and a bar of colours, with margins that their labels need.
 
-use super::chart::{Chart, TEXT, below, beside, draw_axes};
 use super::scale::Scale;
+use super::scaled_chart::{Chart, TEXT, below, beside, draw_axes};
 use super::sheet::{EDGE, Sheet, text};
 use crate::errors::Error;
 use crate::pictures::lettering::fitting;

@@ -3,5 +3,5 @@
 pub(crate) mod axis;
 pub(crate) mod scale;
 pub(crate) mod sheet;
-pub(crate) mod chart;
+pub(crate) mod scaled_chart;
 pub(crate) mod frame;

@@ -1,7 +1,7 @@
 //! A curve of a picture, which differs from others by its colour and by its dashes: [`Curve`].
 
 use crate::errors::Error;
-use crate::pictures::charts::chart::Chart;
+use crate::pictures::charts::scaled_chart::Chart;
 use crate::pictures::charts::sheet::{Area, text};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};

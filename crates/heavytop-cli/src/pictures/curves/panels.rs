@@ -2,9 +2,9 @@
 
 use super::curve::{Curve, entry_width};
 use crate::errors::Error;
-use crate::pictures::charts::chart::{TEXT, below, beside, draw_axes};
 use crate::pictures::charts::frame::WIDTH;
 use crate::pictures::charts::scale::Scale;
+use crate::pictures::charts::scaled_chart::{TEXT, below, beside, draw_axes};
 use crate::pictures::charts::sheet::{EDGE, Sheet};
 use crate::pictures::lettering::widest;
 use plotters::prelude::*;

@@ -4,7 +4,7 @@
 //! J. P. Snyder, *Map Projections: A Working Manual* (1987), p. 251.
 
 use crate::errors::Error;
-use crate::pictures::charts::chart::{Chart, rule};
+use crate::pictures::charts::scaled_chart::{Chart, rule};
 use crate::pictures::{Frame, Scale};
 use plotters::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
