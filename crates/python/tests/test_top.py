@@ -283,3 +283,50 @@ def test_many_steps_that_are_too_long_are_told():
 def test_a_name_that_is_nearly_right_is_offered():
     with pytest.raises(ValueError, match="got 'Gauss8'; did you mean 'gauss-8'"):
         Top.kovalevskaya().solve(**START, step=0.1, end=1, scheme="Gauss8")
+
+
+def test_quantities_of_a_run_by_name():
+    inertia = np.array([[2.0, 0.3, 0.1], [0.3, 1.5, -0.2], [0.1, -0.2, 1.2]])
+    top = Top(inertia, mass=2.0, gravity=9.81, length=0.1, center_of_mass=[0.6, 0.0, 0.8])
+    run = top.solve([1, -0.5, 2], [0.6, 0, 0.8], step=0.01, end=1, every=20, attitude=True)
+    assert np.abs(inertia @ run["Omega"] - run["Pi"]).max() < 1e-13
+    height = 0.1 * np.array([0.6, 0, 0.8]) @ run["Gamma"]
+    assert np.abs(run["potential"] - 2.0 * 9.81 * height).max() < 1e-13
+    assert np.abs(run["kinetic"] + run["potential"] - run.invariants["h"]).max() < 1e-13
+    w, x, y, z = run.attitude
+    rotation = np.array(
+        [
+            [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+        ]
+    )
+    spatial = np.einsum("ijn,jn->in", rotation, run["Pi"])
+    assert np.abs(spatial - run["spatial_momentum"]).max() < 1e-13
+    # The vertical part is conserved, and the others are not.
+    assert np.ptp(spatial[2]) < 1e-13 < 1e-2 < np.ptp(spatial[0])
+    theta, psi = run["theta"], run["psi"]
+    gamma = np.array([np.sin(theta) * np.sin(psi), np.sin(theta) * np.cos(psi), np.cos(theta)])
+    assert np.abs(gamma - run["Gamma"]).max() < 1e-13 and (run["euler_angles"][0] == run["phi"]).all()
+    without = top.solve([1, -0.5, 2], [0.6, 0, 0.8], step=0.01, end=0.1)
+    assert without["Omega"].shape == (3, 11)
+    with pytest.raises(ValueError, match="write attitude=True"):
+        without["phi"]
+    with pytest.raises(KeyError, match="there are Pi, .*, got 'omega'"):
+        without["omega"]
+
+
+def test_a_report_has_the_formulas_of_the_textbook():
+    top = Top.lagrange(transverse=2.0, axial=1.0)
+    report = top.report([0, 0, 20], [0.6, 0, 0.8], step=0.02, end=20)
+    nutation = report.numbers["nutation, 2π/period"]
+    exact = nutation.formulas["closed form, by an elliptic integral"]
+    # The method and the step have an error of 1e-9 there; the formula of a fast top is off by far more.
+    assert abs(nutation.value / exact - 1) < 1e-8 < abs(nutation.value / nutation.formulas["I₃ω₃/I₁, of a fast top"] - 1)
+    assert "precession" in str(report) and report.steady == ()
+    euler = Top.free_rigid_body([1, 2, 3]).report([1e-3, 2, 0], [0, 0, 1], step=0.02, end=100)
+    assert len(euler.steady) == 6
+    growth = [one.growth for one in euler.steady if abs(one.vertical[1]) > 0.9]
+    assert np.allclose(growth, np.sqrt(1 / 3), rtol=1e-6) and "flip to flip" in str(euler)
+    with pytest.raises(ValueError, match="no attitude"):
+        top.report([0, 0, 20], [0.6, 0, 0.8], step=0.02, end=20, formulation="direct")

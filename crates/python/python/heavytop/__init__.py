@@ -36,6 +36,7 @@ from .realisation import Realisation
 from .solution import Crossings, Solution
 from .system import System
 from .top import Top
+from .top_solution import Report, TopSolution
 
 __version__ = version("heavytop")
 
@@ -53,6 +54,7 @@ __all__ = [
     "IntegrationError",
     "ManyVortices",
     "Realisation",
+    "Report",
     "RigidBody",
     "SCHEMES",
     "Solution",
@@ -62,6 +64,7 @@ __all__ = [
     "System",
     "Top",
     "TopOnBase",
+    "TopSolution",
     "VibratingLattice",
     "Vortices",
     "functions",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import fields
 from typing import Any, Optional
 
 import numpy as np
@@ -16,6 +17,7 @@ from .events import Events, Function, native_events, surface_source
 from .methods import method
 from .solution import NEVER, Crossings, Floats, Run, Solution, crossings, names_of_groups, solution
 from .top_parameters import TopParameters
+from .top_solution import Measured, Report, SteadyRotation, TopSolution
 
 COORDINATES = ("Pi1", "Pi2", "Pi3", "Gamma1", "Gamma2", "Gamma3")
 
@@ -69,7 +71,7 @@ class Top(TopParameters):
         attitude: bool = False,
         attitude0: Optional[ArrayLike] = None,
         events: Events = None,
-    ) -> Solution:
+    ) -> TopSolution:
         """Follows the top from t = 0 to the end, in equal steps. An end before 0 is reached backward in time.
 
         Formulations, with the schemes that each offers:
@@ -139,7 +141,48 @@ class Top(TopParameters):
         columns = self._top.follow(run.setting, end, every, followed, watched)
         symbols = self._top.invariants_from(np.array([run.setting[0]]))
         estimate = warn_of_accuracy(self._top, run.setting, run.steps(columns.times), 3)
-        return solution(columns, symbols, run, estimate, has_events=events is not None)
+        found = solution(columns, symbols, run, estimate, has_events=events is not None)
+        return TopSolution(**{field.name: getattr(found, field.name) for field in fields(Solution)})
+
+    def report(
+        self,
+        Pi: ArrayLike,
+        Gamma: ArrayLike,
+        *,
+        step: float,
+        end: float,
+        scheme: str = "gauss-8",
+        formulation: str = "collective",
+    ) -> Report:
+        """Follows the top, and tells its precession, nutation and spin, its turning points, and the steady rotations near it.
+
+        The angles are those of the line from the support to the centre of mass: theta is its inclination from the vertical, phi
+        its precession and psi the spin about it. Of a body without weight they are those of a principal axis about the
+        angular momentum L. Means are taken from the first highest point of the line to the last one; where there are no two,
+        or theta is constant, over the whole run. Beside the numbers stand the formulas of textbooks. The arguments are those
+        of `solve`; "direct" has no attitude, and no report.
+
+        Raises:
+            ValueError: if an argument is out of its range.
+            IntegrationError: if a step fails.
+
+        Warns:
+            RuntimeWarning: as `solve`.
+
+        Example:
+            >>> top = Top.lagrange(transverse=2.0, axial=1.0)
+            >>> report = top.report([0, 0, 20], [0.6, 0, 0.8], step=0.02, end=20)
+            >>> precession = report.numbers["precession, mean dφ/dt"]
+            >>> round(precession.value, 4), round(precession.formulas["m g l/(I₃ω₃), of a fast top"], 4)
+            (0.0502, 0.05)
+        """
+        step, end = course(step, end)
+        run = self._run(Pi, Gamma, step, formulation, scheme, 0.0)
+        warn_of_accuracy(self._top, run.setting, round(end / step), 3)
+        kind, numbers, steady = self._top.report(run.setting, end)
+        measured = {name: Measured(value, unit, dict(formulas)) for name, value, unit, formulas in numbers}
+        rotations = tuple(SteadyRotation(np.array(one[0]), one[1], one[2], one[3], one[4], one[5]) for one in steady)
+        return Report(kind, measured, rotations)
 
     def _run(self, Pi: ArrayLike, Gamma: ArrayLike, step: float, formulation: Any, scheme: Any, tolerance: Any) -> Run:
         angular_momentum = vector("Pi", Pi)

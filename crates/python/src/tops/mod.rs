@@ -3,5 +3,6 @@
 pub(crate) mod body;
 pub(crate) mod top;
 pub(crate) mod many;
+mod reports;
 pub(crate) mod sections;
 pub(crate) mod chaos;

@@ -1,6 +1,7 @@
 //! The heavy top as a Python class.
 
 use super::body::{BodyArguments, InertiaArgument};
+use super::reports::{Report, quantity, report};
 use crate::arrays::{read_rows, rows};
 use crate::errors::refused;
 use crate::recorded::Recorded;
@@ -190,6 +191,26 @@ impl Top {
             values.extend(invariants.iter().map(|invariant| invariant.value(&self.model.top, &mu)));
         }
         rows(py, values, [count, invariants.len()])
+    }
+
+    /// Returns a quantity of each of n states with attitudes, as n rows.
+    fn quantity<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+        states: PyReadonlyArray2<'py, f64>,
+        attitudes: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let states = read_rows("the states", &states)?;
+        let attitudes = read_rows("the attitudes", &attitudes)?;
+        let (values, width) = quantity(&self.model, name, &states, &attitudes)?;
+        rows(py, values, [states.len(), width])
+    }
+
+    /// Follows the top from (Π, Γ) to the end, and returns a report on its motion.
+    fn report(&self, py: Python<'_>, setting: Setting, end: f64) -> PyResult<Report> {
+        let (start, step, method) = setting;
+        report(py, self.model, (&start, method_of(method)?), (step, end))
     }
 
     /// Follows the top from (Π, Γ), and returns the columns of the run.
