@@ -8,8 +8,8 @@ use crate::iteration::stage_scale::{Scale, StageScale, SweepChange, TermScale};
 use crate::iteration::stage_solver::{
     NEWTON_ITERATIONS, StageSolver, Unconverged, fill_unless, set_combination, sweep,
 };
-use crate::stages::flat_state::{FlatField, FlatState};
-use crate::stages::newton::{FieldOn, NewtonWorkspace, newton_step};
+use crate::stages::flat_state::{FlatField, FlatState, ValueField};
+use crate::stages::newton::{FieldOn, NewtonWorkspace, newton_step, without_derivatives};
 use crate::stages::terms::{cancels, terms};
 use crate::tableaux::tableau::Tableau;
 use lie_poisson::{Mask, Real, State};
@@ -109,7 +109,49 @@ impl<T: Real> Branch<'_, T> {
                 return (Ok(made), found);
             }
         }
-        (self.solve_by_newton((done, made), terms, rate, k, space), found)
+        let solved = if T::from_f64(0.0).without_derivative().is_some() {
+            self.solve_values_first((done, made), terms, rate, k, space)
+        } else {
+            self.solve_by_newton((done, made), terms, rate, k, space)
+        };
+        (solved, found)
+    }
+
+    /// Solves the equations of the step for the values of dual numbers, by sweeps or else by Newton's iteration as if there
+    /// were no derivatives, and then for the derivatives. Returns the number of iterations as
+    /// [`solve_by_newton`](Self::solve_by_newton) does.
+    ///
+    /// The equations of the derivatives k′ are linear, k′ = DX(y) (z′ + h A k′) + X′(y) at the stages y of the values: they have
+    /// one solution, which an iteration of Newton's finds whatever the size of k′. From values that are not yet those of the
+    /// stages it would find derivatives that say nothing.
+    ///
+    /// # Errors
+    /// Returns those of the values, or that the equations of the derivatives are singular.
+    fn solve_values_first(
+        &self,
+        (done, made): (T::Mask, usize),
+        terms: &Sizes<T>,
+        rate: &FlatState<T>,
+        k: &mut [FlatState<T>],
+        space: &mut NewtonWorkspace<T>,
+    ) -> Result<usize, StepError> {
+        let (z, rate) = (without_derivatives(self.z), without_derivatives(rate));
+        let values = Branch { field: &ValueField(self.field), z: &z, ..*self };
+        let mut found = k.to_vec();
+        fill_unless(done, &mut found, &rate);
+        let made = match values.sweep(done, &Sizes::zero(), &mut found) {
+            Ok(iterations) => made + iterations,
+            Err(failed) => {
+                let begun = (done.or(failed.converged), made + failed.iterations);
+                let terms = self::terms(values.field, (&z, self.step), &rate).of_step;
+                values.solve_by_newton(begun, &terms, &rate, &mut found, space)?
+            }
+        };
+        for (k, found) in k.iter_mut().zip(&found) {
+            k.replace_where(done.not(), found);
+        }
+        let (outcome, _) = self.newton(1.0, NEWTON_ITERATIONS, done, terms, k, space);
+        outcome.map(|iterations| made + iterations).map_err(|unconverged| unconverged.error)
     }
 
     /// Sweeps from the guess in `k`, in the lanes that are not `done`. Changes are compared with the terms.

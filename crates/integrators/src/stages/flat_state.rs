@@ -1,6 +1,6 @@
 //! A state whose dimension and blocks are known only when the program runs: [`FlatState`].
 
-use crate::stages::newton::FieldOn;
+use crate::stages::newton::{FieldOn, without_derivatives};
 use crate::vector_field::VectorField;
 use lie_poisson::{Real, State};
 use std::sync::Arc;
@@ -125,6 +125,21 @@ impl<V: State> VectorField<V::Scalar> for FlatField<'_, V> {
         z.write_to(&mut point);
         v.write_to(&mut tangent);
         self.field.derivative(&point, &tangent).map(|slope| z.with(&slope))
+    }
+}
+
+/// The values of a field, with all derivatives zero.
+pub(crate) struct ValueField<'a, V: State>(pub(crate) &'a FieldOn<'a, V>);
+
+impl<V: State> VectorField<V::Scalar> for ValueField<'_, V> {
+    type Point = V;
+
+    fn at(&self, z: &V) -> V {
+        without_derivatives(&self.0.at(z))
+    }
+
+    fn derivative(&self, z: &V, v: &V) -> Option<V> {
+        self.0.derivative(z, v).map(|slope| without_derivatives(&slope))
     }
 }
 

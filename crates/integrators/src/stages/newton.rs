@@ -124,9 +124,12 @@ fn assemble<V: State>(
 /// units do not overflow.
 const SMALLEST_UNIT: f64 = 1e-200;
 
-/// Returns the unit of each coordinate: the larger of |z_b| and h |k_b| in its block b, or 1 if all are 0.
+/// Returns the unit of each coordinate: the larger of |z_b| and h |k_b| in its block b, or 1 if all are 0. Derivatives of dual
+/// numbers do not count: the unit is the width, but for a factor, in which the field is nearly linear.
 fn units<T: Real, V: State<Scalar = T>>(z: &V, step: f64, k: &[V]) -> V {
-    let (start, stages) = (BlockSizes::of(core::slice::from_ref(z)), BlockSizes::of(k));
+    let (mut start, mut stages) = (BlockSizes::zero(), BlockSizes::zero());
+    start.include(&without_derivatives(z));
+    k.iter().for_each(|k| stages.include(&without_derivatives(k)));
     let size = |b: usize| start.at(b).larger(stages.at(b) * step.abs());
     let largest = (1..V::BLOCKS).fold(size(0), |largest, b| size(b).larger(largest));
     let mut units = z.zeros_like();
@@ -135,6 +138,18 @@ fn units<T: Real, V: State<Scalar = T>>(z: &V, step: f64, k: &[V]) -> V {
         T::select(unit.at_most(T::zero()), T::one(), unit)
     });
     units
+}
+
+/// Returns a vector with all derivatives zero.
+pub(crate) fn without_derivatives<V: State>(v: &V) -> V {
+    let mut values = v.clone();
+    if V::Scalar::from_f64(0.0).without_derivative().is_some() {
+        values.set_coordinates(|i| {
+            let x = v.coordinate(i);
+            x.without_derivative().unwrap_or(x)
+        });
+    }
+    values
 }
 
 /// Returns the derivative DX(z)·e_i.

@@ -10,6 +10,8 @@ use crate::numbers::real::Real;
 /// or not a number, and in every lane if `a` does not have n² numbers. In a lane in which it is false, x has no
 /// meaning.
 ///
+/// The pivots of dual numbers are chosen by their values: such a matrix is regular if and only if that of the values is.
+///
 /// Each lane chooses its own pivots, so that its x is bit-identical to the solution of the same equations alone.
 /// (Matrix libraries require more of a scalar than dual numbers and lanes offer.) Pivots are compared with each
 /// other, so all rows should have the same unit.
@@ -31,7 +33,7 @@ pub fn solve_linear<T: Real>(a: &mut [T], b: &mut [T]) -> T::Mask {
     let mut regular = T::Mask::from_bool(true);
     for k in 0..n {
         for row in k + 1..n {
-            let larger = a[row * n + k].magnitude().at_most(a[k * n + k].magnitude()).not();
+            let larger = absolute(a[row * n + k]).at_most(absolute(a[k * n + k])).not();
             if larger.any() {
                 for column in k..n {
                     swap_where(larger, a, row * n + column, k * n + column);
@@ -61,6 +63,11 @@ pub fn solve_linear<T: Real>(a: &mut [T], b: &mut [T]) -> T::Mask {
     regular
 }
 
+/// Returns |x|, whose value is that of the value of a dual number.
+fn absolute<T: Real>(x: T) -> T {
+    x.select_nonnegative(x, -x)
+}
+
 /// Exchanges two numbers in the lanes in which the mask is true.
 #[inline]
 fn swap_where<T: Real>(mask: T::Mask, x: &mut [T], i: usize, j: usize) {
@@ -71,6 +78,7 @@ fn swap_where<T: Real>(mask: T::Mask, x: &mut [T], i: usize, j: usize) {
 mod tests {
     use super::solve_linear;
     use crate::lanes::{DefaultLanes, Lanes};
+    use crate::numbers::dual_number::DualNumber;
     use crate::numbers::mask::Mask;
     use crate::numbers::real::Real;
 
@@ -105,6 +113,23 @@ mod tests {
             let error = b.iter().zip(&x).map(|(b, x)| (b - x).abs()).fold(0.0, f64::max);
             assert!(error < 36.0 * 10.0 * f64::EPSILON, "{n}: {error:e}");
         }
+    }
+
+    /// A number with a small value and a large derivative is no pivot: the values have the digits of a solution of their own.
+    #[test]
+    fn derivatives_choose_no_pivots() {
+        let dual = DualNumber::new;
+        let mut a = [dual(1e-17, 1e9), dual(1.0, 0.0), dual(1.0, 0.0), dual(1.0, 0.0)];
+        let mut b = [dual(1.0, 0.0), dual(2.0, 0.0)];
+        let mut values =
+            (a.map(|x| x.value_without_derivative()), b.map(|x| x.value_without_derivative()));
+        assert!(solve_linear(&mut a, &mut b) && solve_linear(&mut values.0, &mut values.1));
+        // x = y = 1 to round-off, and x′ = −y′ = 1e9 x by the first equation
+        for (x, (value, slope)) in b.iter().zip([(1.0, 1e9), (1.0, -1e9)]) {
+            assert!((x.value_without_derivative() - value).abs() < 1e-15, "{x:?}");
+            assert!((x.derivative() / slope - 1.0).abs() < 1e-15, "{x:?}");
+        }
+        assert_eq!(b.map(|x| x.value_without_derivative()), values.1);
     }
 
     #[test]

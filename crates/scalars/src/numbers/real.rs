@@ -82,6 +82,22 @@ pub trait Real:
         None
     }
 
+    /// Returns the number with all derivatives zero if the type has derivatives, and `None` for every other type.
+    ///
+    /// The values of an equation do not depend on the derivatives: code over all scalars can use it to solve for the values
+    /// first.
+    ///
+    /// ```
+    /// use generic_scalars::{DualNumber, Real};
+    /// let x = DualNumber::variable(2.5);
+    /// assert_eq!((x.without_derivative(), 2.5.without_derivative()), (Some(DualNumber::constant(2.5)), None));
+    /// ```
+    #[must_use]
+    #[cfg_attr(optimised, inline(always))]
+    fn without_derivative(self) -> Option<Self> {
+        None
+    }
+
     /// Returns the square root √x; NaN for x < 0, as for `f64`.
     fn sqrt(self) -> Self;
 

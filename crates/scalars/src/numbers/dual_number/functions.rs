@@ -13,6 +13,11 @@ impl<T: Real> Real for DualNumber<T> {
     }
 
     #[cfg_attr(optimised, inline(always))]
+    fn without_derivative(self) -> Option<Self> {
+        Some(Self::constant(self.value.without_derivative().unwrap_or(self.value)))
+    }
+
+    #[cfg_attr(optimised, inline(always))]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.chain(root, reciprocal(root + root))
