@@ -59,7 +59,7 @@
 //! | many trajectories, in SIMD lanes (several trajectories in one register) and on all threads | [`Laned`], run by an [`Ensemble`] |
 //! | one trajectory of a method with several stages, faster | [`StagesInLanes`] |
 //! | a kernel of your own for many trajectories | [`LaneKernel`], [`BatchIntegrator`] |
-//! | tangent vectors and Lyapunov exponents | [`VariationalFlow`], [`LyapunovExponents`] |
+//! | tangent vectors and Lyapunov exponents | [`VariationalFlow`], [`TangentFrame`], [`LyapunovExponents`] |
 //! | fast indicators of chaos: MEGNO and SALI | [`Megno`], [`smaller_alignment_index`] |
 //! | initial tangent vectors for these | [`generic_tangents`] |
 //! | the order or a defect of a method, measured | the module [`diagnostics`] |
@@ -125,7 +125,8 @@ pub use chaos::lyapunov::{Exponents, LyapunovExponents, MaximalLyapunovExponent}
 pub use chaos::megno::Megno;
 pub use chaos::smaller_alignment::smaller_alignment_index;
 pub use chaos::tangent_integrator::{TangentIntegrator, VariationalError};
-pub use chaos::variational_flow::VariationalFlow;
+pub use chaos::tangents::tangent_frame::TangentFrame;
+pub use chaos::tangents::variational_flow::VariationalFlow;
 pub use diagnostics::{OrderFitError, fitted_order};
 pub use erased::{
     AnyIntegrator, AnyStart, AnyState, AnySteps, AnyTangents, AnyWorkspace, ByPointer,

@@ -1,7 +1,7 @@
 //! Indicators of chaos of many runs, as Python sees them.
 
 use crate::errors::{message, refused};
-use crate::runs::growth::{Growth, GrowthTask, tangents_named};
+use crate::runs::growth::{Growth, GrowthTask};
 use crate::runs::interruption::until_interrupted;
 use core::sync::atomic::Ordering;
 use heavytop::methods::Method;
@@ -12,7 +12,8 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIter
 /// The step, the end, and the number of steps between two records; 0 records the end alone.
 pub(crate) type Times = (f64, f64, u64);
 
-/// Follows tangent vectors along the run of each start, which is one of its own model or of the only one, on all threads.
+/// Follows tangent vectors along the run of each start, which is one of its own model or of the only one, on all threads: for
+/// so many exponents, or for SALI.
 ///
 /// # Errors
 /// Returns `ValueError` if a model cannot have its start, the steps are none, or there are no such tangent vectors, and
@@ -22,7 +23,7 @@ pub(crate) fn growth_of_models(
     models: &[&dyn Model],
     starts: &[Vec<f64>],
     (step, end, every): Times,
-    (method, tangents): (&Method, &str),
+    (method, exponents): (&Method, Option<usize>),
 ) -> PyResult<Indicators> {
     let of = |index: usize| models.get(index).or(models.first());
     let start = |(index, given): (usize, &Vec<f64>)| match of(index) {
@@ -30,8 +31,7 @@ pub(crate) fn growth_of_models(
         None => Ok(given.clone()),
     };
     let starts: Vec<Vec<f64>> = starts.iter().enumerate().map(start).collect::<PyResult<_>>()?;
-    let (schedule, tangents) =
-        (Schedule::new(step, end).map_err(refused)?, tangents_named(tangents)?);
+    let schedule = Schedule::new(step, end).map_err(refused)?;
     let runs = until_interrupted(py, |stop| {
         let one = |(index, start): (usize, &Vec<f64>)| {
             if stop.load(Ordering::Relaxed) {
@@ -40,7 +40,7 @@ pub(crate) fn growth_of_models(
             let model = *of(index).ok_or("there is no system")?;
             let integrator = model.tangent_integrator(method, start);
             let integrator = integrator.map_err(|error| message(&error))?;
-            let task = GrowthTask { start, schedule, every, stop, tangents };
+            let task = GrowthTask { start, schedule, every, stop, exponents };
             let mut grown = task.grow(&integrator)?;
             model.present(&mut grown.end);
             Ok(grown)

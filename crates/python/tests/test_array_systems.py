@@ -275,7 +275,7 @@ def test_a_start_may_be_given_with_the_system():
         (lambda: SpinLattice(4), "without them nothing moves"),
         (lambda: SpinLattice(4, 1.0).structure_constants, "no table of structure constants"),
         (lambda: SphereFluid(4).vorticity(np.zeros(16), 10**7), "rows must be at most 8192"),
-        (lambda: lyapunov(SpinLattice((4, 3), 1.0), {"tilt": 1}, step=0.1, end=1, exponents=16), "exponents must be from 1 to 15, got 16"),
+        (lambda: lyapunov(SpinLattice((4, 3), 1.0), {"tilt": 1}, step=0.1, end=1, exponents=37), "exponents must be from 1 to 36, got 37"),
         (lambda: SphereFluid(4).start(omega=np.ones((2, 8))), r"must have the shape \(4, 4\), got \(2, 8\)"),
         (lambda: SphereFluid(4).start(vorticity=np.ones((14, 7))), r"must have the shape \(r, 2 r\), got \(14, 7\)"),
         (lambda: SphereFluid(4).start(vorticity=np.ones((6, 12))), "r at least 7, got 72"),

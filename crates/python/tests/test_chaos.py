@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from heavytop import IntegrationError, System, Top, lyapunov
+from heavytop import IntegrationError, System, Top, Vortices, lyapunov
 
 CHAOTIC = Top(inertia=[1.0, 1.7, 2.2], mass=1.0, gravity=9.81, length=0.5, center_of_mass=[0.6, 0.0, 0.8])
 WILD = [1.0, 2.0, 1.0, 0.0, 0.6, 0.8]
@@ -113,3 +113,19 @@ def test_indicators_do_not_depend_on_the_unit_of_mass(unit, spin):
 
     # Round-off of the parameters in other units, which chaos enlarges.
     assert measured(unit) == pytest.approx(measured(1.0), rel=1e-8, abs=1e-8)
+
+
+def test_all_exponents_of_a_system_of_eight_and_of_eighteen_dimensions():
+    rotor = System("su(3)", "sum(mu^2) + mu1*mu2/2 + mu3*mu8/3")
+    start = 0.1 * np.arange(1, 9)
+    found = lyapunov(rotor, start, step=0.05, end=20, exponents=8).exponents
+    # The volume of momenta is kept, up to the order of the method.
+    assert found.shape == (8,) and abs(found.sum()) < 1e-6
+    few = lyapunov(rotor, start, step=0.05, end=20, exponents=2).exponents
+    assert np.array_equal(few, found[:2])
+    vortices = Vortices([1.0, -0.6, 0.8, 1.3, -0.9, 0.7])
+    places = [[np.sin(1.7 * t), np.cos(2.9 * t), np.sin(0.8 * t * t)] for t in range(1, 7)]
+    places = [np.array(place) / np.linalg.norm(place) for place in places]
+    # In such steps the equations of the tangent vectors need Newton's iteration.
+    all_of_them = lyapunov(vortices, places, step=0.4, end=3.2, exponents=18, scheme="gauss-4").exponents
+    assert abs(all_of_them.sum()) < 1e-9

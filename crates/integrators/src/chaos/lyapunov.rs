@@ -1,7 +1,7 @@
 //! Lyapunov exponents of a trajectory.
 
 use crate::chaos::tangent_integrator::{TangentIntegrator, VariationalError};
-use crate::chaos::variational_flow::VariationalFlow;
+use crate::chaos::tangents::variational_flow::VariationalFlow;
 use crate::integrators::trajectories::integrator::Integrator;
 use lie_poisson::State;
 

@@ -2,10 +2,7 @@
 
 pub(crate) mod generic_tangents;
 pub(crate) mod tangent_integrator;
-pub(crate) mod tangent_scales;
-mod orthonormal_frame;
-mod tangent_steps;
-pub(crate) mod variational_flow;
+pub(crate) mod tangents;
 pub(crate) mod lyapunov;
 pub(crate) mod megno;
 pub(crate) mod smaller_alignment;

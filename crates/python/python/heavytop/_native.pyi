@@ -159,7 +159,7 @@ def growth_of_system(
     states: Floats,
     times: tuple[float, float, int],
     method: MethodNames,
-    tangents: str,
+    exponents: Optional[int],
 ) -> Indicators: ...
 def advance_states(
     top: Top, states: Floats, step: float, end: float, scheme: str
@@ -178,5 +178,5 @@ def growth_of_tops(
     states: Floats,
     times: tuple[float, float, int],
     method: MethodNames,
-    tangents: str,
+    exponents: Optional[int],
 ) -> Indicators: ...

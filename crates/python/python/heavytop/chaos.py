@@ -19,10 +19,6 @@ from .system import System
 from .top import Top
 
 
-MOST_EXPONENTS = 15
-"""The largest number of tangent vectors that are followed at once."""
-
-
 @dataclass(frozen=True, eq=False, repr=False)
 class Chaos:
     """Indicators of chaos of one run or of many.
@@ -82,7 +78,7 @@ def lyapunov(
         step: the time step.
         end: the end: a multiple of the step, to within 1e-9 of itself. Before 0 the indicators are those of the motion
             backward in time.
-        exponents: the number of exponents, from 1 to d, and at most 15. All six of a top add up to 0, and come in pairs of opposite signs,
+        exponents: the number of exponents, from 1 to d. All six of a top add up to 0, and come in pairs of opposite signs,
             with two zeros for the Casimirs.
         sali: whether to compute SALI, for which there must be one exponent.
         every: keep the indicators after each n-th step, too; without it those of the end alone.
@@ -117,29 +113,29 @@ def lyapunov(
     if states.ndim not in (1, 2) or states.shape[0] != dimension:
         raise ValueError(f"y0 must have the shape ({dimension},) or ({dimension}, n), got {states.shape}")
     number = count("exponents", exponents, 1)
-    if number > min(dimension, MOST_EXPONENTS):
-        raise ValueError(f"exponents must be from 1 to {min(dimension, MOST_EXPONENTS)}, got {number}")
+    if number > dimension:
+        raise ValueError(f"exponents must be from 1 to {dimension}, got {number}")
     if formulation == "collective":
         raise ValueError("formulation must not be collective: its tangent vectors belong to another space; use reduced")
     times = (*course(step, end), 0 if every is None else count("every", every, 1))
-    rows, tangents = states.reshape(dimension, -1).T, tangent_vectors(number, flag("sali", sali))
+    rows, followed = states.reshape(dimension, -1).T, followed_exponents(number, flag("sali", sali))
     if isinstance(system, System):
         names = system._method(formulation or system._formulation_of_tangents(), scheme, 0.0)
         members = members_of_system(system._system, rows.T, times[0], names)
         warn_of_many(members, 0, len(rows), 3)
-        found = _native.growth_of_system(system._system, rows, times, names, tangents)
+        found = _native.growth_of_system(system._system, rows, times, names, followed)
     else:
         names_of_top = method(formulation or "reduced", scheme, 0.0)
         warn_of_many(members_of_tops(tops, rows.T, times[0], names_of_top), 0, len(rows), 3)
-        found = _native.growth_of_tops(tops, rows, times, names_of_top, tangents)
+        found = _native.growth_of_tops(tops, rows, times, names_of_top, followed)
     return chaos(found, states, number, times[1], every is not None)
 
 
-def tangent_vectors(exponents: int, sali: bool) -> str:
-    """Returns which tangent vectors are followed."""
+def followed_exponents(exponents: int, sali: bool) -> Optional[int]:
+    """Returns the number of exponents whose tangent vectors are followed, or None for the two of SALI."""
     if sali and exponents > 1:
         raise ValueError(f"exponents must be 1 if sali is True, got {exponents}")
-    return "two" if sali else "one" if exponents == 1 else "all"
+    return None if sali else exponents
 
 
 def chaos(found: _native.Indicators, states: Floats, exponents: int, end: float, history: bool) -> Chaos:

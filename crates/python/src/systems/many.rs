@@ -138,7 +138,7 @@ impl Ends<'_> {
     }
 }
 
-/// Follows tangent vectors along the run of each state.
+/// Follows tangent vectors along the run of each state, for so many exponents, or for SALI.
 #[pyfunction]
 pub fn growth_of_system(
     py: Python<'_>,
@@ -146,7 +146,7 @@ pub fn growth_of_system(
     states: PyReadonlyArray2<'_, f64>,
     times: Times,
     method: MethodArgument,
-    tangents: &str,
+    exponents: Option<usize>,
 ) -> PyResult<Indicators> {
     let (method, model) = (system.method(method)?, system.model());
     let starts: Vec<Vec<f64>> = states.as_array().outer_iter().map(|row| row.to_vec()).collect();
@@ -154,5 +154,5 @@ pub fn growth_of_system(
     if let Err(error @ RunFailure::NoTangents { .. }) = model.tangent_integrator(&method, first) {
         return Err(refused(error));
     }
-    growth_of_models(py, &[model], &starts, times, (&method, tangents))
+    growth_of_models(py, &[model], &starts, times, (&method, exponents))
 }

@@ -9,7 +9,7 @@ use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::{PyRef, PyResult, Python, pyfunction};
 
-/// Follows tangent vectors along the run of each state, with its own top or the only one.
+/// Follows tangent vectors along the run of each state, with its own top or the only one, for so many exponents, or for SALI.
 #[pyfunction]
 pub fn growth_of_tops(
     py: Python<'_>,
@@ -17,7 +17,7 @@ pub fn growth_of_tops(
     states: PyReadonlyArray2<'_, f64>,
     times: Times,
     method: MethodArgument,
-    tangents: &str,
+    exponents: Option<usize>,
 ) -> PyResult<Indicators> {
     let states = read_rows::<6>("the states", &states)?;
     let starts: Vec<Vec<f64>> = states.iter().map(|given| given.to_vec()).collect();
@@ -27,5 +27,5 @@ pub fn growth_of_tops(
     }
     let tops: Vec<Top> = tops.iter().map(|top| **top).collect();
     let models: Vec<&dyn Model> = tops.iter().map(|top| &top.model as &dyn Model).collect();
-    growth_of_models(py, &models, &starts, times, (&method_of(method)?, tangents))
+    growth_of_models(py, &models, &starts, times, (&method_of(method)?, exponents))
 }

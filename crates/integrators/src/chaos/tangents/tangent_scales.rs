@@ -1,7 +1,7 @@
 //! The scales in which tangent vectors are measured: [`TangentScales`].
 
-use super::generic_tangents::generic_coordinate;
-use super::tangent_integrator::{DualStateOf, MomentumOf, StateOf, TangentIntegrator};
+use crate::chaos::generic_tangents::generic_coordinate;
+use crate::chaos::tangent_integrator::{DualStateOf, MomentumOf, StateOf, TangentIntegrator};
 use crate::error::StepError;
 use crate::integrators::trajectories::integrator::Integrator;
 use crate::natural_scales::natural_scales;

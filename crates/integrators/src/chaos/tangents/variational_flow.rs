@@ -1,16 +1,8 @@
 //! Trajectories with their tangent vectors: [`VariationalFlow`].
 
-use super::generic_tangents::generic_coordinate;
-use super::orthonormal_frame::orthonormalise;
-use super::tangent_integrator::{
-    DualStateOf, MomentumOf, StateOf, TangentIntegrator, VariationalError,
-};
-use super::tangent_scales::{Prober, TangentScales};
-use super::tangent_steps::{image, normalise_images, step_tangents};
-use crate::error::{IntegrationError, StepError};
-use crate::integrators::trajectories::integrator::Integrator;
-use crate::stages::checkpoints::CHECKPOINT;
-use lie_poisson::{DualNumber, State};
+use super::carrier::Carrier;
+use crate::chaos::tangent_integrator::{MomentumOf, StateOf, TangentIntegrator, VariationalError};
+use lie_poisson::State;
 
 /// A state z with K tangent vectors v, advanced by the integrator and by its exact tangent map:
 ///
@@ -20,7 +12,8 @@ use lie_poisson::{DualNumber, State};
 ///
 /// The derivative DΦ_h is that of the discrete map, computed by dual numbers. With a Poisson integrator it preserves
 /// the Poisson tensor. One step costs one step over `f64` and K steps over dual numbers, and allocates nothing. States
-/// may be on the heap.
+/// may be on the heap. [`TangentFrame`](crate::TangentFrame) is for a number of vectors that is known only when the program
+/// runs.
 ///
 /// # States and momenta
 /// The tangent vectors belong to the *state*: to 𝔤∗ for [`LiftFree`](crate::LiftFree) and [`Direct`](crate::Direct),
@@ -67,17 +60,10 @@ pub struct VariationalFlow<'a, I, const K: usize>
 where
     I: TangentIntegrator,
 {
-    integrator: &'a I,
-    workspace: <I as Integrator>::Workspace,
-    dual_workspace: <I as Integrator<DualNumber>>::Workspace,
-    size: f64,
-    steps: u64,
-    state: StateOf<I>,
+    carrier: Carrier<'a, I>,
     tangents: [StateOf<I>; K],
     /// The tangent vectors of the next step, and other temporary vectors.
     spare: [StateOf<I>; K],
-    dual: DualStateOf<I>,
-    scales: Result<TangentScales<StateOf<I>, MomentumOf<I>>, StepError>,
 }
 
 impl<'a, I, const K: usize> VariationalFlow<'a, I, K>
@@ -86,35 +72,9 @@ where
 {
     /// Creates a flow from a state and its tangent vectors at t = 0, with steps of size `step`.
     pub fn new(integrator: &'a I, state: StateOf<I>, tangents: [StateOf<I>; K], step: f64) -> Self {
-        let mut workspace = Integrator::<f64>::workspace(integrator);
-        let mut dual_workspace = Integrator::<DualNumber>::workspace(integrator);
-        // Without tangent vectors the state may move along its fibre.
-        if K > 0 {
-            Integrator::<f64>::pin(integrator, &mut workspace);
-            Integrator::<DualNumber>::pin(integrator, &mut dual_workspace);
-        }
-        let mut dual = State::zeros_of(&state.shape());
-        let prober = Prober {
-            integrator,
-            workspace: &mut workspace,
-            dual_workspace: &mut dual_workspace,
-            dual: &mut dual,
-            step,
-        };
-        let scales = prober.scales(&state, K > 0);
+        let carrier = Carrier::new(integrator, state, step, K > 0);
         let spare = tangents.clone();
-        Self {
-            integrator,
-            workspace,
-            dual_workspace,
-            size: step,
-            steps: 0,
-            state,
-            tangents,
-            spare,
-            dual,
-            scales,
-        }
+        Self { carrier, tangents, spare }
     }
 
     /// Creates a flow whose tangent vectors have no symmetry: the first K of the
@@ -125,43 +85,38 @@ where
     pub fn generic(integrator: &'a I, state: StateOf<I>, dimension: usize, step: f64) -> Self {
         let tangents = core::array::from_fn(|_| state.zeros_like());
         let mut flow = Self::new(integrator, state, tangents, step);
-        for (number, v) in flow.tangents.iter_mut().enumerate() {
-            v.set_coordinates(|i| generic_coordinate(number, dimension, i));
-        }
-        if let Ok(units) = &flow.scales {
-            units.multiply(&mut flow.tangents, &mut flow.spare);
-        }
+        flow.carrier.begin(dimension, &mut flow.tangents, &mut flow.spare);
         flow
     }
 
     /// Returns the number of steps made.
     #[must_use]
     pub fn steps(&self) -> u64 {
-        self.steps
+        self.carrier.steps
     }
 
     /// Returns the step size h.
     #[must_use]
     pub fn step_size(&self) -> f64 {
-        self.size
+        self.carrier.size
     }
 
     /// Returns the time t, which is the number of steps times h.
     #[must_use]
     pub fn time(&self) -> f64 {
-        self.steps as f64 * self.size
+        self.carrier.time()
     }
 
     /// Returns the current state z.
     #[must_use]
     pub fn state(&self) -> &StateOf<I> {
-        &self.state
+        &self.carrier.state
     }
 
     /// Returns the momentum μ of the state.
     #[must_use]
     pub fn momentum(&self) -> MomentumOf<I> {
-        Integrator::<f64>::momentum(self.integrator, &self.state)
+        self.carrier.momentum()
     }
 
     /// Returns the tangent vectors v at z.
@@ -179,11 +134,8 @@ where
     /// # Errors
     /// Returns [`VariationalError::Integration`] if the first step fails, so that there are no scales.
     pub fn directions(&self) -> Result<[MomentumOf<I>; K], VariationalError> {
-        let scales = self.scales()?;
-        let (mut dual, like) = (self.dual.clone(), self.momentum());
-        Ok(core::array::from_fn(|k| {
-            image(self.integrator, (&self.state, &self.tangents[k]), &mut dual, &scales, &like)
-        }))
+        let mut direction = self.carrier.directions()?;
+        Ok(self.tangents.each_ref().map(|v| direction(v)))
     }
 
     /// Advances the state and the tangent vectors by one step.
@@ -192,25 +144,8 @@ where
     /// Returns [`VariationalError::Integration`] if the step fails for the state or for a tangent vector, or if a
     /// tangent vector has another dimension than the state. In these cases nothing is changed.
     pub fn advance(&mut self) -> Result<(), VariationalError> {
-        let (made, size) = (self.steps, self.size);
-        let fail = |source: StepError| IntegrationError::after(made, size, source);
-        if made == 0 {
-            StepError::check_start(&self.state, size).map_err(fail)?;
-            let dimension = self.state.dimension();
-            let mut tangents = self.tangents.iter();
-            tangents.try_for_each(|v| StepError::check_dimension(v, dimension)).map_err(fail)?;
-        }
-        let units = self.scales()?.state;
-        if self.steps.is_multiple_of(CHECKPOINT) {
-            Integrator::<f64>::forget(self.integrator, &mut self.workspace);
-            Integrator::<DualNumber>::forget(self.integrator, &mut self.dual_workspace);
-        }
-        let Self { integrator, workspace, dual_workspace, state, tangents, spare, dual, .. } = self;
-        step_tangents(*integrator, (state, units), (tangents, spare), (dual, dual_workspace), size)
-            .map_err(fail)?;
-        Integrator::<f64>::step_in_place(*integrator, state, size, workspace).map_err(fail)?;
-        core::mem::swap(tangents, spare);
-        self.steps += 1;
+        self.carrier.advance(&self.tangents, &mut self.spare)?;
+        core::mem::swap(&mut self.tangents, &mut self.spare);
         Ok(())
     }
 
@@ -225,12 +160,9 @@ where
     /// of an error, the vectors before the dependent one are already orthonormal. Returns
     /// [`VariationalError::Integration`] if the first step fails, so that there are no scales.
     pub fn orthonormalise(&mut self) -> Result<[f64; K], VariationalError> {
-        let (time, units) = (self.time(), self.scales()?);
-        units.divide(&mut self.tangents, &mut self.spare);
         let mut lengths = [0.0; K];
-        let outcome = orthonormalise(&mut self.tangents, &mut self.spare, &mut lengths, time);
-        units.multiply(&mut self.tangents, &mut self.spare);
-        outcome.map(|()| lengths)
+        self.carrier.orthonormalise(&mut self.tangents, &mut self.spare, &mut lengths)?;
+        Ok(lengths)
     }
 
     /// Scales each tangent vector so that its image DM(z) v has the length 1, without orthogonalisation, and returns
@@ -245,19 +177,9 @@ where
     /// fibre. In case of an error, the vectors before that one are already scaled. Returns
     /// [`VariationalError::Integration`] if the first step fails, so that there are no scales.
     pub fn normalise(&mut self) -> Result<[f64; K], VariationalError> {
-        let (time, scales) = (self.time(), self.scales()?);
-        let like = self.momentum();
         let mut lengths = [0.0; K];
-        let Self { integrator, state, dual, tangents, .. } = self;
-        normalise_images(*integrator, (state, tangents), dual, (&scales, &like), &mut lengths)
-            .map_err(|(index, length)| VariationalError::Dependent { index, length, time })?;
+        self.carrier.normalise(&mut self.tangents, &mut lengths)?;
         Ok(lengths)
-    }
-
-    /// Returns the scales of the blocks.
-    fn scales(&self) -> Result<TangentScales<StateOf<I>, MomentumOf<I>>, VariationalError> {
-        let fail = |source| IntegrationError::after(0, self.size, source).into();
-        self.scales.map_err(fail)
     }
 }
 
@@ -265,6 +187,7 @@ where
 mod tests {
     use super::*;
     use crate::integrators::direct::Direct;
+    use crate::integrators::trajectories::integrator::Integrator;
     use crate::schemes::runge_kutta::RungeKutta;
     use crate::vector_field::VectorField;
     use lie_poisson::Real;

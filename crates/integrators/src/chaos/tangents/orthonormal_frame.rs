@@ -1,6 +1,6 @@
 //! Tangent vectors made orthonormal: the Gram–Schmidt process, whatever the sizes of the vectors.
 
-use super::tangent_integrator::VariationalError;
+use crate::chaos::tangent_integrator::VariationalError;
 use lie_poisson::{State, euclidean_norm, squaring_scale};
 
 /// The relative size of the remainder of a vector that is a combination of others.

@@ -1,7 +1,7 @@
 //! Tangent vectors of a state: their steps, their images and the lengths of these.
 
-use super::tangent_integrator::{DualStateOf, MomentumOf, StateOf, TangentIntegrator};
 use super::tangent_scales::TangentScales;
+use crate::chaos::tangent_integrator::{DualStateOf, MomentumOf, StateOf, TangentIntegrator};
 use crate::error::StepError;
 use crate::integrators::trajectories::integrator::Integrator;
 use lie_poisson::{BlockScales, DualNumber, State, euclidean_norm, squaring_scale};
