@@ -70,6 +70,7 @@ mod sections;
 
 pub use algebras::structure_table::{StructureTableError, structure_table};
 pub use algebras::system_algebra::SystemAlgebra;
+pub use casimirs::casimir::{Casimir, ScalarFunction};
 pub use catalogue::parameter::{Parameter, ParameterShape, require_parameters};
 pub use catalogue::system_kind::{KindStart, SystemKind};
 pub use error::FormulaSystemError;

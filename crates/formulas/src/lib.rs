@@ -123,6 +123,7 @@ pub use hamiltonians::formula_hamiltonian::FormulaHamiltonian;
 pub use hamiltonians::value_error::ValueError;
 
 pub use casimirs::casimir_error::CasimirError;
+pub use casimirs::polynomial::generic_point;
 pub use casimirs::polynomial_casimirs::{
     PolynomialCasimirs, find_casimirs, find_casimirs_of_table,
 };

@@ -23,7 +23,7 @@ use std::sync::Arc;
 const WIDTHS: [usize; 2] = [3, 6];
 
 /// The dimensions of the algebras whose Clebsch maps are those of their adjoint representation.
-const ADJOINT_MAPS: core::ops::RangeInclusive<usize> = 7..=64;
+const ADJOINT_MAPS: core::ops::RangeInclusive<usize> = 7..=MOST_DIMENSIONS;
 
 /// The dimensions of the algebras of matrices that are realised by their own matrices.
 const OWN_MATRICES: core::ops::RangeInclusive<usize> = 4..=64;

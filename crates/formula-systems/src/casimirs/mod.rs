@@ -1,13 +1,9 @@
-//! The Casimirs that algebras of matrices have by their matrices, beside those that are found from the brackets: traces of
-//! powers and Pfaffians, and with a vector squares of wedge products.
+//! Casimirs: those of matrices and of motions, which complete those that were found.
 
-pub(crate) mod matrix_algebra;
-pub(crate) mod invariant;
-pub(crate) mod symmetry;
-pub(crate) mod expression_matrix;
-pub(crate) mod pfaffian;
-pub(crate) mod formulas;
+pub(crate) mod matrices;
 pub(crate) mod motions;
+pub(crate) mod computed;
+pub(crate) mod casimir;
 pub(crate) mod summand;
 pub(crate) mod span;
 pub(crate) mod completion;

@@ -148,7 +148,7 @@ impl Integration<'_> {
             (Formulation::Collective, Family::Other, 3) => self.clebsch_descends::<3>(),
             (Formulation::Collective, Family::Other, 6) => self.clebsch_descends::<6>(),
             (Formulation::Collective, Family::Other, _) => {
-                Ok(QuadraticMomenta::clebsch(algebra.table())?.descends())
+                QuadraticMomenta::clebsch_descends(algebra.table())
             }
             _ => Ok(true),
         }

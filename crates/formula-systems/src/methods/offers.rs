@@ -37,7 +37,7 @@ impl SystemAlgebra {
     /// | algebra | formulations |
     /// |---|---|
     /// | so(3), su(2), se(3) by name, and sums of so(3) and su(2) | collective, reduced, direct |
-    /// | another of dimension 2 to 6, or 7 to 64 without a centre or with one that a grading of the basis scales | collective, by a Clebsch map; direct |
+    /// | another of dimension 2 to 6, or larger without a centre, or with one on which a derivation does not vanish: a grading of the basis, or any up to dimension 16 | collective, by a Clebsch map; direct |
     /// | any other | direct |
     /// | so(n), so(p,q), sp(2n,R), gl(n) of dimension 4 to 64 | collective, along copies of their matrices; direct |
     /// | one with [momenta of your own](Self::with_realisation) | collective along these, beside the others |
@@ -94,6 +94,10 @@ pub(super) fn refusal(
         let schemes = formulation.schemes().filter(|s| !matches!(s, SchemeName::Partitioned(_)));
         let names: Vec<_> = schemes.map(SchemeName::name).collect();
         format!("{formulation} has {}", names.join(", "))
+    } else if formulation == Formulation::Collective && algebra.dimension() > 1 {
+        "it has direct: no derivation was found that does not vanish on the centre, which the adjoint \
+         representation does not see"
+            .into()
     } else {
         let names: Vec<_> = algebra.formulations().map(Formulation::name).collect();
         match names.split_last() {

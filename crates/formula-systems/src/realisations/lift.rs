@@ -3,7 +3,7 @@
 use super::generic_point::generic;
 use super::quadratic_momenta::QuadraticMomenta;
 use momentum_map::LiftError;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 /// The largest number of Newton's steps, and of points from which they start.
 const STEPS: usize = 60;
@@ -21,7 +21,7 @@ impl QuadraticMomenta {
     pub(super) fn lift(&self, mu: &[f64]) -> Result<Vec<f64>, LiftError> {
         // Each coordinate in the unit of its matrix. The size is that of the largest, whose square neither overflows nor
         // underflows.
-        let weights: Vec<f64> = self.forms().iter().map(|form| inverse(form.amax())).collect();
+        let weights: Vec<f64> = self.largest().into_iter().map(inverse).collect();
         let mu: Vec<f64> = mu.iter().zip(&weights).map(|(x, weight)| x * weight).collect();
         let size = mu.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         if size == 0.0 {
@@ -70,9 +70,9 @@ impl QuadraticMomenta {
                 return Some(z);
             }
             before = distance;
-            let rows = self.forms().iter().zip(weights);
-            let rows: Vec<_> = rows.map(|(form, w)| ((form * &z) * *w).transpose()).collect();
-            let step = DMatrix::from_rows(&rows).svd(true, true).solve(&rest, 1e-10).ok()?;
+            let mut rows = self.rows(&z);
+            rows.row_iter_mut().zip(weights).for_each(|(mut row, w)| row *= *w);
+            let step = rows.svd(true, true).solve(&rest, 1e-10).ok()?;
             // A step longer than the point leaves the region in which the linear equations say something.
             let most = 0.5 * z.norm();
             z += &step * (most / step.norm().max(most));

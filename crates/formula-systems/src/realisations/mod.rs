@@ -1,6 +1,7 @@
 //! Realisations of one's own: quadratic momenta on R²ᵐ, what they obey, and the collective integrator that they make.
 
 mod generic_point;
+mod odd_powers;
 mod grading;
 pub(crate) mod quadratic_momenta;
 pub(crate) mod verdict;

@@ -1,9 +1,10 @@
 //! Quadratic momenta on a symplectic vector space: [`QuadraticMomenta`].
 
-use super::grading::grading;
+use super::grading::{derivation, grading};
+use super::odd_powers::descends;
 use crate::error::FormulaSystemError;
 use lie_poisson::{Real, StructureTable};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 /// Momenta J_a(z) = ½ z·S_a z on R²ᵐ with z = (q, p) and {q, p} = 1, one for each coordinate of 𝔤∗.
 ///
@@ -44,9 +45,9 @@ use nalgebra::DMatrix;
 pub struct QuadraticMomenta {
     /// The number m of degrees of freedom.
     freedoms: usize,
-    /// The matrices S_a.
-    forms: Vec<DMatrix<f64>>,
-    /// Their entries that are not zero: a, row, column, value.
+    /// The number of momenta.
+    count: usize,
+    /// The entries of the matrices S_a that are not zero: a, row, column, value, in this order.
     entries: Vec<(usize, usize, usize, f64)>,
 }
 
@@ -95,7 +96,7 @@ impl QuadraticMomenta {
             places.map(move |(i, j)| (a, i, j, 0.5 * (form[(i, j)] + form[(j, i)])))
         });
         let entries = entries.filter(|(.., value)| *value != 0.0).collect();
-        Ok(Self { freedoms: size / 2, forms, entries })
+        Ok(Self { freedoms: size / 2, count: forms.len(), entries })
     }
 
     /// Creates the momenta J_a = p·ρ_a q of the matrices of a representation on Rᵐ.
@@ -143,36 +144,30 @@ impl QuadraticMomenta {
         copies: usize,
     ) -> Result<Self, FormulaSystemError> {
         let m = sizes(matrices)?;
-        let diagonal = |rho: &DMatrix<f64>| {
-            let mut all = DMatrix::zeros(copies * m, copies * m);
-            (0..copies).for_each(|i| all.view_mut((i * m, i * m), (m, m)).copy_from(rho));
-            all
-        };
-        Self::of_representation(&matrices.iter().map(diagonal).collect::<Vec<_>>())
+        let freedoms = copies * m;
+        let mut entries = Vec::new();
+        for (a, matrix) in matrices.iter().enumerate() {
+            let places = (0..m).flat_map(|i| (0..m).map(move |j| (i, j)));
+            for (i, j) in places.filter(|place| matrix[*place] != 0.0) {
+                for first in (0..copies).map(|copy| copy * m) {
+                    let (p, q) = (freedoms + first + i, first + j);
+                    entries.extend([(a, p, q, matrix[(i, j)]), (a, q, p, matrix[(i, j)])]);
+                }
+            }
+        }
+        entries.sort_unstable_by_key(|&(a, i, j, _)| (a, i, j));
+        Ok(Self { freedoms, count: matrices.len(), entries })
     }
 
     /// Returns the momenta of two copies of the adjoint representation, a Clebsch map; of an algebra with a centre, which it does
     /// not see, of that of 𝔤 ⋊ RD with a derivation D that scales the basis vectors: ξ·(η, t) = ([ξ, η] − tDξ, 0).
     pub(crate) fn clebsch(algebra: &StructureTable) -> Result<Self, FormulaSystemError> {
-        let d = algebra.dimension();
-        let mut matrices = vec![DMatrix::zeros(d, d); d];
-        for entry in algebra.entries() {
-            if let Some(matrix) = matrices.get_mut(entry.i) {
-                matrix[(entry.k, entry.j)] = entry.value;
-            }
-        }
-        let adjoint = Self::of_copies(&matrices, 2)?;
-        let weights = grading(algebra);
-        if adjoint.rank() == d || weights.amax() < SCALED {
-            return Ok(adjoint);
-        }
-        let extended = |(a, matrix): (usize, &DMatrix<f64>)| {
-            let mut extended = DMatrix::zeros(d + 1, d + 1);
-            extended.view_mut((0, 0), (d, d)).copy_from(matrix);
-            extended[(a, d)] = -weights[a];
-            extended
-        };
-        Self::of_copies(&matrices.iter().enumerate().map(extended).collect::<Vec<_>>(), 2)
+        Self::of_copies(&clebsch_matrices(algebra)?, 2)
+    }
+
+    /// Returns whether steps along the momenta of [`clebsch`](Self::clebsch) descend to 𝔤∗.
+    pub(crate) fn clebsch_descends(algebra: &StructureTable) -> Result<bool, FormulaSystemError> {
+        Ok(descends(&clebsch_matrices(algebra)?))
     }
 
     /// Returns the number 2m of coordinates of z.
@@ -184,12 +179,36 @@ impl QuadraticMomenta {
     /// Returns the number of momenta.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.forms.len()
+        self.count
     }
 
     /// Returns the matrices S_a.
-    pub(super) fn forms(&self) -> &[DMatrix<f64>] {
-        &self.forms
+    pub(super) fn forms(&self) -> Vec<DMatrix<f64>> {
+        let mut forms = vec![DMatrix::zeros(self.size(), self.size()); self.count];
+        for &(a, i, j, value) in &self.entries {
+            if let Some(form) = forms.get_mut(a) {
+                form[(i, j)] = value;
+            }
+        }
+        forms
+    }
+
+    /// Returns the matrix with the rows S_a z.
+    pub(super) fn rows(&self, z: &DVector<f64>) -> DMatrix<f64> {
+        let mut rows = DMatrix::zeros(self.count, self.size());
+        self.entries.iter().for_each(|&(a, i, j, value)| rows[(a, i)] += value * z[j]);
+        rows
+    }
+
+    /// Returns the largest entry of each matrix S_a.
+    pub(super) fn largest(&self) -> Vec<f64> {
+        let mut largest = vec![0.0_f64; self.count];
+        for &(a, .., value) in &self.entries {
+            if let Some(most) = largest.get_mut(a) {
+                *most = most.max(value.abs());
+            }
+        }
+        largest
     }
 
     /// Writes the momenta J_a(z). Those for which there is no room are left out.
@@ -215,6 +234,40 @@ impl QuadraticMomenta {
             }
         }
     }
+}
+
+/// Returns the matrices of the adjoint representation; of an algebra with a centre, which it does not see, of that of 𝔤 ⋊ RD on
+/// 𝔤 ⊕ R with a derivation D: one that scales the basis vectors, or in few dimensions a generic one.
+fn clebsch_matrices(algebra: &StructureTable) -> Result<Vec<DMatrix<f64>>, FormulaSystemError> {
+    let d = algebra.dimension();
+    let mut matrices = vec![DMatrix::zeros(d, d); d];
+    for entry in algebra.entries() {
+        if let Some(matrix) = matrices.get_mut(entry.i) {
+            matrix[(entry.k, entry.j)] = entry.value;
+        }
+    }
+    if QuadraticMomenta::of_copies(&matrices, 2)?.rank() == d {
+        return Ok(matrices);
+    }
+    let weights = grading(algebra);
+    let scaling = (weights.amax() >= SCALED).then(|| DMatrix::from_diagonal(&weights));
+    let extended = |derivation: &DMatrix<f64>| -> Vec<DMatrix<f64>> {
+        let extended = |(a, matrix): (usize, &DMatrix<f64>)| {
+            let mut extended = DMatrix::zeros(d + 1, d + 1);
+            extended.view_mut((0, 0), (d, d)).copy_from(matrix);
+            extended.view_mut((0, d), (d, 1)).copy_from(&-derivation.column(a));
+            extended
+        };
+        matrices.iter().enumerate().map(extended).collect()
+    };
+    let mut scaled = scaling.as_ref().map(extended);
+    if let Some(matrices) = &scaled
+        && QuadraticMomenta::of_copies(matrices, 2)?.rank() < d
+    {
+        scaled = None;
+    }
+    let generic = || derivation(algebra).as_ref().map(extended);
+    Ok(scaled.or_else(generic).unwrap_or(matrices))
 }
 
 /// Returns the common number of rows of square matrices.

@@ -1,15 +1,12 @@
 //! Whether quadratic momenta make a Poisson map, and a collective integrator: [`Verdict`].
 
 use super::generic_point::generic;
+use super::odd_powers::{ROUNDING, odd_powers, unit};
 use super::quadratic_momenta::{QuadraticMomenta, wrong};
 use crate::error::FormulaSystemError;
 use lie_poisson::StructureTable;
 use lie_poisson_formulas::Coordinates;
-use nalgebra::allocator::Allocator;
-use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OMatrix};
-
-/// The largest relative defect that counts as rounding.
-const ROUNDING: f64 = 1e-10;
+use nalgebra::DMatrix;
 
 /// What [quadratic momenta](QuadraticMomenta) obey.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,25 +87,26 @@ impl QuadraticMomenta {
 
     /// Returns the matrices of {J_a, J_b} for a < b: S_a 𝕁 S_b − S_b 𝕁 S_a.
     fn brackets(&self) -> Vec<Bracket> {
-        let turned: Vec<DMatrix<f64>> = self.forms().iter().map(turned).collect();
-        let pairs = (0..self.count()).flat_map(|b| (0..b).map(move |a| (a, b)));
         let forms = self.forms();
+        let turned: Vec<DMatrix<f64>> = forms.iter().map(turned).collect();
+        let pairs = (0..self.count()).flat_map(|b| (0..b).map(move |a| (a, b)));
         pairs.map(|(a, b)| (a, b, &forms[a] * &turned[b] - &forms[b] * &turned[a])).collect()
     }
 
     /// Returns the worst deviation of the brackets from the structure constants times a factor.
     fn fault(&self, algebra: &StructureTable, brackets: &[Bracket], factor: f64) -> Fault {
+        let forms = self.forms();
         let expected = |a: usize, b: usize| {
             let zero = DMatrix::zeros(self.size(), self.size());
             (0..self.count()).fold(zero, |sum, k| match algebra.constant(a, b, k) {
                 0.0 => sum,
-                c => sum + &self.forms()[k] * (c * factor),
+                c => sum + &forms[k] * (c * factor),
             })
         };
         // Each pair has a size of its own, so that the units of the momenta do not matter.
         let faults = brackets.iter().map(|(a, b, found)| {
             let expected = expected(*a, *b);
-            let size = self.forms()[*a].amax() * self.forms()[*b].amax();
+            let size = forms[*a].amax() * forms[*b].amax();
             let size = size.max(found.amax()).max(expected.amax());
             let defect = match size {
                 0.0 => 0.0,
@@ -140,8 +138,9 @@ impl QuadraticMomenta {
             fault.defect
         );
         // {J_a, J_b} = λ Σ c J for one number λ, found by least squares.
+        let forms = self.forms();
         let expected = |a: usize, b: usize| {
-            let terms = (0..self.count()).map(|k| &self.forms()[k] * algebra.constant(a, b, k));
+            let terms = (0..self.count()).map(|k| &forms[k] * algebra.constant(a, b, k));
             terms.fold(DMatrix::zeros(self.size(), self.size()), |sum, term| sum + term)
         };
         let pairs = brackets.iter().map(|(a, b, found)| (expected(*a, *b), found));
@@ -164,38 +163,21 @@ impl QuadraticMomenta {
     pub(crate) fn rank(&self) -> usize {
         let z = generic(self.size(), 1);
         // Rows of the length 1, so that the units of the momenta do not matter.
-        let rows = self.forms().iter().map(|form| unit(form * &z).transpose());
-        DMatrix::from_rows(&rows.collect::<Vec<_>>()).rank(1e-9)
-    }
-
-    /// Returns whether steps along the momenta descend to 𝔤∗.
-    pub(crate) fn descends(&self) -> bool {
-        self.odd_powers() < ROUNDING
+        let rows = self.rows(&z);
+        let mut columns = rows.transpose();
+        columns
+            .column_iter_mut()
+            .for_each(|mut column| column.copy_from(&unit(column.clone_owned())));
+        // The diagonal entries of R with the largest columns first decrease as the singular values do, and cost less.
+        let r = columns.col_piv_qr().unpack_r();
+        let diagonal: Vec<f64> = (0..r.nrows().min(r.ncols())).map(|i| r[(i, i)].abs()).collect();
+        let largest = diagonal.first().copied().unwrap_or(0.0);
+        diagonal.iter().filter(|entry| **entry > 1e-9 * largest).count()
     }
 
     /// Returns the largest distance of the cube of a generic matrix 𝕁S_ξ from these matrices, relative to its size.
     pub(crate) fn odd_powers(&self) -> f64 {
-        let basis = self.forms().iter().map(|form| unit(turned(form)));
-        let basis: Vec<DMatrix<f64>> = basis.collect();
-        let columns: Vec<_> =
-            basis.iter().map(|b| DVector::from_column_slice(b.as_slice())).collect();
-        let span = DMatrix::from_columns(&columns).svd(true, false);
-        let kept = span.rank(1e-12);
-        let Some(directions) = span.u.map(|u| u.columns(0, kept).into_owned()) else {
-            return f64::NAN;
-        };
-        (0..3)
-            .map(|sample| {
-                let xi = generic(self.count(), sample);
-                let zero = DMatrix::zeros(self.size(), self.size());
-                let matrix = basis.iter().zip(&xi).fold(zero, |sum, (b, x)| sum + b * *x);
-                let cube = &matrix * &matrix * &matrix;
-                let cube = DVector::from_column_slice(cube.as_slice());
-                let rest = &cube - &directions * (directions.transpose() * &cube);
-                let size = cube.norm();
-                if size > 0.0 { rest.norm() / size } else { 0.0 }
-            })
-            .fold(0.0, f64::max)
+        odd_powers(&self.forms().iter().map(turned).collect::<Vec<_>>())
     }
 }
 
@@ -206,21 +188,6 @@ type Bracket = (usize, usize, DMatrix<f64>);
 struct Fault {
     pair: (usize, usize),
     defect: f64,
-}
-
-/// Returns a matrix of the length 1 in the same direction, or zero.
-fn unit<R: Dim, C: Dim>(matrix: OMatrix<f64, R, C>) -> OMatrix<f64, R, C>
-where
-    DefaultAllocator: Allocator<R, C>,
-{
-    // The largest entry first, whose square may overflow.
-    let largest = matrix.amax();
-    if largest == 0.0 {
-        return matrix;
-    }
-    let matrix = matrix / largest;
-    let length = matrix.norm();
-    matrix / length
 }
 
 /// Returns 𝕁S: the rows of p, then the negative of the rows of q.

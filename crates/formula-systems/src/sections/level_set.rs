@@ -1,6 +1,6 @@
 //! The common level set of several functions, and the projection to it: [`LevelSet`].
 
-use lie_poisson_formulas::Formula;
+use crate::casimirs::casimir::ScalarFunction;
 use nalgebra::{DMatrix, DVector};
 
 /// The largest number of Newton steps of a projection.
@@ -17,7 +17,7 @@ const INDEPENDENT: f64 = 1e-10;
 /// A function with a value on the set.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Level<'a> {
-    pub(crate) function: &'a Formula,
+    pub(crate) function: &'a dyn ScalarFunction,
     pub(crate) value: f64,
     /// The period by multiples of which the value may differ, if the function is an angle.
     pub(crate) period: Option<f64>,
@@ -25,7 +25,7 @@ pub(crate) struct Level<'a> {
 
 impl<'a> Level<'a> {
     /// Creates the level of a function that has a value exactly.
-    pub(crate) fn new(function: &'a Formula, value: f64) -> Self {
+    pub(crate) fn new(function: &'a dyn ScalarFunction, value: f64) -> Self {
         Self { function, value, period: None }
     }
 

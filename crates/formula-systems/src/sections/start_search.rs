@@ -43,9 +43,11 @@ impl<'a> StartSearch<'a> {
             return Err(FormulaSystemError::Level { value });
         }
         let scales = scales(system.algebra().coordinates(), state);
-        let formulas = core::iter::once(system.hamiltonian()).chain(system.casimirs());
-        let levels: Vec<Level<'_>> =
-            formulas.zip(levels).map(|(function, &value)| Level::new(function, value)).collect();
+        let levels: Vec<Level<'_>> = system
+            .conserved()
+            .zip(levels)
+            .map(|(function, &value)| Level::new(function, value))
+            .collect();
         let along = Self::orbit(system, state, &levels, &scales)?;
         let energy = levels.first().copied().unwrap_or(surface);
         let levels = levels.into_iter().chain([surface]).collect();

@@ -16,13 +16,26 @@ pub(crate) struct Polynomial {
     pub(crate) terms: Vec<(Exponents, f64)>,
 }
 
-/// Returns a point with coordinates of size 1 that behave like random ones and are the same in every run.
-pub(crate) fn generic_point(dimension: usize, sample: usize) -> Vec<f64> {
-    let coordinate =
-        |i: usize| 1.0 + 0.5 * (1.0 + (i * i + 7 * i * sample + 3 * sample) as f64).sin();
-    (0..dimension)
-        .map(|i| if (i + sample).is_multiple_of(2) { coordinate(i) } else { -coordinate(i) })
-        .collect()
+/// Returns a point whose coordinates, between 1 and 2 in size, behave like random ones and are the same in every run. Each
+/// sample is another one.
+///
+/// The numbers x ↦ 1 − 2x² obey no linear recurrence, by which the coordinates of matrices would make matrices of small rank,
+/// as sines of i² do: 22 is nearly 7π.
+///
+/// Source: S. M. Ulam & J. von Neumann, *On combination of stochastic and deterministic processes*, Bull. Amer. Math. Soc. 53
+/// (1947).
+///
+/// # Example
+/// ```
+/// use lie_poisson_formulas::generic_point;
+/// let point = generic_point(100, 0);
+/// assert!(point.iter().all(|x| (1.0..=2.0).contains(&x.abs())) && point != generic_point(100, 1));
+/// ```
+#[must_use]
+pub fn generic_point(dimension: usize, sample: usize) -> Vec<f64> {
+    let all = core::iter::successors(Some(0.3_f64), |x| Some(1.0 - 2.0 * x * x));
+    let own = all.skip(sample.saturating_mul(dimension)).take(dimension);
+    own.map(|x| x + 1.0_f64.copysign(x)).collect()
 }
 
 impl Polynomial {
@@ -195,6 +208,22 @@ fn append(text: &mut String, coefficient: Coefficient, product: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use nalgebra::DMatrix;
+
+    /// Square matrices of the coordinates are far from singular; that of sines of i² with 11 rows is not.
+    #[test]
+    fn matrices_of_generic_coordinates_have_full_rank() {
+        let condition = |of: &dyn Fn(usize) -> Vec<f64>, n: usize| {
+            let values = DMatrix::from_vec(n, n, of(n * n)).singular_values();
+            values.min() / values.max()
+        };
+        for sample in 0..4 {
+            let generic = |count| generic_point(count, sample);
+            assert!((2..17).all(|n| condition(&generic, n) > 1e-4), "{sample}");
+        }
+        let sines = |count: usize| (1..=count).map(|i| ((i * i) as f64).sin()).collect();
+        assert!(condition(&sines, 11) < 1e-4);
+    }
 
     #[test]
     fn the_gradient_is_that_of_powers() {

@@ -25,7 +25,8 @@ class System(SystemDescription):
     dmu_j/dt = sum_ik c_ijk xi_i mu_k, where [e_i, e_j] = sum_k c_ijk e_k; with the plus bracket the rate is the negative. The
     polynomial Casimirs of low degree are found from the brackets alone; those of so(n), so(p,q), su(n), sl(n,R), gl(n) and
     sp(2n,R) of higher degree are "tr X^k", "tr J X^k" and "Pf X" of the matrix X with tr(X xi) = <mu, xi>, and those of
-    se(n) and so(p,q) |x Rn are "|Gamma ∧ L^k|^2", squares of wedge products, and "Gamma ∧ L^m" for n = 2m + 1.
+    se(n) and so(p,q) |x Rn are "|Gamma ∧ L^k|^2", squares of wedge products, and "Gamma ∧ L^m" for n = 2m + 1. That of
+    sl(n,R) |x Rn is "det(Gamma, Gamma X, ...)", of the rows Gamma X^j.
 
     Args:
         algebra: an expression of up to 256 dimensions. The coordinates are, for "so(3)", Pi; "su(2)" and "su(n)", mu;

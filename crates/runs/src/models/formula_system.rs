@@ -7,8 +7,7 @@ use collective_integrators::diagnostics::{InvariantSize, SystemScales};
 use collective_integrators::{AnyIntegrator, AnyTangents};
 use core::ops::Range;
 use heavytop::methods::Method;
-use lie_poisson_formula_systems::FormulaSystem;
-use lie_poisson_formula_systems::lie_poisson_formulas::Formula;
+use lie_poisson_formula_systems::{FormulaSystem, ScalarFunction};
 
 /// h and the Casimirs, c1, c2, …, are conserved.
 impl Model for FormulaSystem {
@@ -37,8 +36,11 @@ impl Model for FormulaSystem {
 
     fn formula(&self, conserved: &str) -> Option<String> {
         let names = Invariants(self).names();
-        let formulas = core::iter::once(self.hamiltonian()).chain(self.casimirs());
-        names.iter().zip(formulas).find(|(name, _)| *name == conserved).map(|(_, f)| f.to_string())
+        names
+            .iter()
+            .zip(self.conserved())
+            .find(|(name, _)| *name == conserved)
+            .map(|(_, f)| f.to_string())
     }
 
     fn descends(&self, method: &Method, start: &[f64]) -> Result<bool, RunFailure> {
@@ -46,14 +48,13 @@ impl Model for FormulaSystem {
     }
 
     fn warning_of_end(&self, start: &[f64], end: &[f64]) -> Option<String> {
-        let formulas = core::iter::once(self.hamiltonian()).chain(self.casimirs());
-        let size = |formula: &Formula, state: &[f64]| {
+        let size = |formula: &dyn ScalarFunction, state: &[f64]| {
             let mut size = InvariantSize::new(self.blocks());
             size.include(state, &formula.differential_at(state));
             size.size()
         };
         let names = Invariants(self).names();
-        let lost = names.iter().zip(formulas).find_map(|(name, formula)| {
+        let lost = names.iter().zip(self.conserved()).find_map(|(name, formula)| {
             let (value, [before, after]) =
                 (formula.value_at(start).abs(), [start, end].map(|state| size(formula, state)));
             let rounding = f64::EPSILON * after;
@@ -98,8 +99,7 @@ impl Conserved for Invariants<'_> {
     }
 
     fn append(&self, momentum: &[f64], values: &mut Vec<f64>) {
-        values.push(self.0.hamiltonian().value_at(momentum));
-        values.extend(self.0.casimirs().iter().map(|casimir| casimir.value_at(momentum)));
+        values.extend(self.0.conserved().map(|function| function.value_at(momentum)));
     }
 
     /// Names the formula, its part without a value, and the state.

@@ -2,7 +2,7 @@
 
 use super::part::{Part, Representation, Space};
 use crate::algebras::family::Family;
-use crate::casimirs::matrix_algebra::{MatrixAlgebra, Structure};
+use crate::casimirs::matrices::matrix_algebra::{MatrixAlgebra, Structure};
 use crate::casimirs::summand::Summand;
 use lie_poisson_formulas::{Coordinates, NameError, StructureEntry};
 use nalgebra::DMatrix;
@@ -49,10 +49,17 @@ impl Basis {
         space: Space,
     ) -> Result<Part, NameError> {
         let mut constants = Vec::new();
+        let supports: Vec<Vec<usize>> = self.readers.iter().map(support).collect();
         for (j, right) in self.matrices.iter().enumerate() {
             for (i, left) in self.matrices.iter().enumerate().take(j) {
                 let commutator = left * right - right * left;
-                let read = self.readers.iter().map(|reader| reader.dot(&commutator)).enumerate();
+                // Few commutators have entries, and few readers meet them.
+                let filled = support(&commutator);
+                let meets = |(_, (_, places)): &(usize, (&DMatrix<f64>, &Vec<usize>))| {
+                    places.iter().any(|place| filled.binary_search(place).is_ok())
+                };
+                let readers = self.readers.iter().zip(&supports).enumerate().filter(meets);
+                let read = readers.map(|(k, (reader, _))| (k, reader.dot(&commutator)));
                 let nonzero = read.filter(|(_, value)| *value != 0.0);
                 constants.extend(nonzero.map(|(k, value)| StructureEntry { i, j, k, value }));
             }
@@ -66,6 +73,12 @@ impl Basis {
         let family = Family::Other;
         Ok(Part { coordinates: coordinates?, constants, acts, family, summands })
     }
+}
+
+/// Returns the places of the entries of a matrix that are not zero, column by column.
+fn support(matrix: &DMatrix<f64>) -> Vec<usize> {
+    let places = matrix.iter().enumerate().filter(|(_, entry)| **entry != 0.0);
+    places.map(|(place, _)| place).collect()
 }
 
 /// Returns the pairs i < j of indices below n, in their order.

@@ -24,7 +24,7 @@ impl MotionAlgebra {
     }
 
     /// Returns the form η.
-    pub(crate) fn form(&self) -> &[f64] {
+    pub(crate) const fn form(&self) -> &Arc<[f64]> {
         &self.form
     }
 

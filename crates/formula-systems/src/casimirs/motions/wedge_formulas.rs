@@ -2,8 +2,8 @@
 
 use super::motion_algebra::MotionAlgebra;
 use super::wedge_product::WedgeProduct;
-use crate::casimirs::expression_matrix::{scaled, sum};
-use crate::casimirs::pfaffian::Pfaffians;
+use crate::casimirs::matrices::expression_matrix::{scaled, sum};
+use crate::casimirs::matrices::pfaffian::Pfaffians;
 use lie_poisson_formulas::{Expression, Expressions, Formula, Vocabulary};
 
 /// The largest number of products of a formula that is tried. Of those of so(n) ⋉ Rⁿ the largest that fits has 5500,
@@ -66,7 +66,12 @@ impl<'a> WedgeFormulas<'a> {
         };
         let value = scaled(&mut self.parts, factor, value);
         let formula = Formula::of_expressions(&self.parts, value, self.names).ok()?;
-        Some(formula.printed_as(&product.text(&self.vector_text(), &self.rotations_text())))
+        Some(formula.printed_as(&self.text(product)))
+    }
+
+    /// Returns the text that says what an invariant is.
+    pub(crate) fn text(&self, product: WedgeProduct) -> String {
+        product.text(&self.vector_text(), &self.rotations_text())
     }
 
     /// Returns the product of the signs of the form at indices.

@@ -1,9 +1,10 @@
 //! Steps that are refused if they lose an invariant: [`InvariantGuard`].
 
+use crate::casimirs::casimir::{Casimir, ScalarFunction};
 use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::{Integrator, Start, Step, StepError};
 use lie_poisson::{Real, State, larger};
-use lie_poisson_formulas::{Formula, StructureEntry};
+use lie_poisson_formulas::StructureEntry;
 use momentum_map::LiftError;
 
 /// An integrator on 𝔤∗ whose steps fail if h or a Casimir changes by more than the order of the method allows.
@@ -34,7 +35,7 @@ struct Guarded {
     dimension: usize,
     entries: Vec<StructureEntry>,
     /// The Hamiltonian, then the Casimirs.
-    invariants: Vec<Formula>,
+    invariants: Vec<Casimir>,
 }
 
 /// The relative change of an invariant that round-off may cause between two checkpoints.
@@ -71,12 +72,13 @@ struct Record {
 impl<I> InvariantGuard<I> {
     /// Guards an integrator of this order for a system. Its momenta begin with those of the system.
     pub(in crate::methods) fn new(integrator: I, order: usize, system: &FormulaSystem) -> Self {
-        let invariants = core::iter::once(system.hamiltonian()).chain(system.casimirs());
+        let hamiltonian = Casimir::from(system.hamiltonian().clone());
+        let invariants = core::iter::once(hamiltonian).chain(system.casimirs().iter().cloned());
         let guarded = Guarded {
             order: i32::try_from(order).unwrap_or(i32::MAX),
             dimension: system.algebra().dimension(),
             entries: system.algebra().entries().to_vec(),
-            invariants: invariants.cloned().collect(),
+            invariants: invariants.collect(),
         };
         Self { integrator, guarded }
     }

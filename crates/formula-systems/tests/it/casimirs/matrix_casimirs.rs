@@ -226,21 +226,3 @@ fn texts_are_short_and_name_the_summand() {
     let spins = named("su(5)^2").with_symbols(&["S"]).unwrap();
     assert_eq!(texts(spins)[..2], ["tr X(S_1)^4", "tr X(S_2)^4"]);
 }
-
-/// The largest algebras of each kind of which all Casimirs fit into formulas, and the next ones.
-#[test]
-#[ignore = "long"]
-fn large_algebras_have_all_casimirs_up_to_a_bound() {
-    for (text, missing) in [
-        ("so(14)", 0),
-        ("so(15)", 2),
-        ("su(9)", 0),
-        ("su(10)", 2),
-        ("sl(11,R)", 0),
-        ("gl(11)", 0),
-        ("sp(12,R)", 0),
-        ("sp(14,R)", 1),
-    ] {
-        assert_eq!(named(text).missing_casimirs(), Some(missing), "{text}");
-    }
-}

@@ -2,3 +2,4 @@
 
 mod matrix_casimirs;
 mod motion_casimirs;
+mod computed_casimirs;

@@ -191,12 +191,3 @@ fn only_one_vector_has_wedge_products() {
         assert!(wedge_products(&with(text)).is_empty(), "{text}");
     }
 }
-
-/// The largest algebra of which all Casimirs fit into formulas, and the next ones.
-#[test]
-#[ignore = "long"]
-fn large_algebras_have_all_casimirs_up_to_a_bound() {
-    for (text, missing) in [("se(11)", 0), ("so(6,5) ⋉ R11", 0), ("se(12)", 2), ("se(13)", 4)] {
-        assert_eq!(named(text).missing_casimirs(), Some(missing), "{text}");
-    }
-}

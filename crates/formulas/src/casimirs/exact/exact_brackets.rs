@@ -1,6 +1,6 @@
 //! Ranks, generators and Casimirs of an exact table.
 
-use super::null_space::{null_space, rank};
+use super::null_space::{Echelon, Row, null_space, rank};
 use super::residue::Residue;
 use super::roots::surd_of;
 use crate::casimirs::bounds::most_changes;
@@ -53,38 +53,32 @@ impl BracketTable<Residue> {
     /// Returns basis vectors that generate the algebra. A function is a Casimir if its brackets with these generators
     /// vanish.
     fn generators(&self) -> Vec<usize> {
-        let n = self.dimension();
-        let (mut generators, mut spanned) = (Vec::new(), Vec::<Vec<(usize, Residue)>>::new());
-        for i in 0..n {
-            let mut with = spanned.clone();
-            with.push(vec![(i, Residue::ONE)]);
-            if rank(with.clone()) == spanned.len() {
+        let (mut generators, mut spanned) = (Vec::new(), Vec::<Row>::new());
+        let mut space = Echelon::default();
+        for i in 0..self.dimension() {
+            if !space.add(vec![(i, Residue::ONE)]) {
                 continue;
             }
             generators.push(i);
-            spanned = self.closure(with, &generators);
+            spanned.push(vec![(i, Residue::ONE)]);
+            self.close(&mut spanned, &mut space, &generators);
         }
         generators
     }
 
-    /// Returns a basis of the smallest space that contains the vectors and their brackets with the generators.
-    fn closure(
-        &self,
-        mut spanned: Vec<Vec<(usize, Residue)>>,
-        generators: &[usize],
-    ) -> Vec<Vec<(usize, Residue)>> {
+    /// Adds brackets with the generators to independent vectors, and to the space that they span, until it contains the
+    /// brackets of all of them.
+    fn close(&self, spanned: &mut Vec<Row>, space: &mut Echelon, generators: &[usize]) {
         let mut next = 0;
         while let Some(vector) = spanned.get(next).cloned() {
             for &generator in generators {
-                let mut with = spanned.clone();
-                with.push(sparse(self.bracket_with(generator, &vector)));
-                if rank(with.clone()) == with.len() {
-                    spanned = with;
+                let bracket = sparse(self.bracket_with(generator, &vector));
+                if space.add(bracket.clone()) {
+                    spanned.push(bracket);
                 }
             }
             next += 1;
         }
-        spanned
     }
 }
 

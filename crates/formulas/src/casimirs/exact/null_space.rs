@@ -6,25 +6,33 @@ use std::collections::BTreeMap;
 /// A row, or a vector: columns with their entries, from left to right.
 pub(crate) type Row = Vec<(usize, Residue)>;
 
-/// Returns the rows of an echelon form, by the column of their first entry, which is 1; `None` after too many
-/// changes.
-fn echelon(rows: Vec<Row>, most_changes: usize) -> Option<BTreeMap<usize, Row>> {
-    let mut pivots: BTreeMap<usize, Row> = BTreeMap::new();
-    let mut changes = 0_usize;
-    for row in rows {
-        let mut left: BTreeMap<usize, Residue> = BTreeMap::new();
-        for (column, entry) in row.into_iter().filter(|(_, entry)| !entry.is_zero()) {
-            left.insert(column, entry);
-        }
+/// Rows of an echelon form, by the column of their first entry, which is 1.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Echelon {
+    pivots: BTreeMap<usize, Row>,
+    /// The number of entries that were changed to make it.
+    changes: usize,
+}
+
+impl Echelon {
+    /// Adds a row unless it is a combination of the others. Returns whether it was added.
+    pub(crate) fn add(&mut self, row: Row) -> bool {
+        self.add_within(row, usize::MAX) == Some(true)
+    }
+
+    /// Adds a row as [`add`](Self::add) does, or returns `None` after too many changes.
+    fn add_within(&mut self, row: Row, most_changes: usize) -> Option<bool> {
+        let entries = row.into_iter().filter(|(_, entry)| !entry.is_zero());
+        let mut left: BTreeMap<usize, Residue> = entries.collect();
         while let Some((&column, &lead)) = left.first_key_value() {
-            let Some(pivot) = pivots.get(&column) else {
+            let Some(pivot) = self.pivots.get(&column) else {
                 let inverse = lead.inverse();
                 let row = left.into_iter().map(|(column, entry)| (column, entry * inverse));
-                pivots.insert(column, row.collect());
-                break;
+                self.pivots.insert(column, row.collect());
+                return Some(true);
             };
-            changes = changes.saturating_add(pivot.len());
-            if changes > most_changes {
+            self.changes = self.changes.saturating_add(pivot.len());
+            if self.changes > most_changes {
                 return None;
             }
             for &(column, entry) in pivot {
@@ -37,8 +45,17 @@ fn echelon(rows: Vec<Row>, most_changes: usize) -> Option<BTreeMap<usize, Row>> 
                 }
             }
         }
+        Some(false)
     }
-    Some(pivots)
+}
+
+/// Returns the rows of an echelon form, by the column of their first entry; `None` after too many changes.
+fn echelon(rows: Vec<Row>, most_changes: usize) -> Option<BTreeMap<usize, Row>> {
+    let mut echelon = Echelon::default();
+    for row in rows {
+        echelon.add_within(row, most_changes)?;
+    }
+    Some(echelon.pivots)
 }
 
 /// Returns the rank of a matrix.

@@ -102,7 +102,14 @@ fn balanced(dimension: usize, constants: &[StructureEntry]) -> Vec<i32> {
             let logarithm = value.abs().log2();
             let weight = 1.0 / (logarithm + row.dot(&exponents)).abs().max(0.5);
             right.axpy(-weight * logarithm, &row, 1.0);
-            matrix.ger(weight, &row, &row, 1.0);
+            // The others of the row are zeros.
+            let mut places = [i, j, k];
+            places.sort_unstable();
+            let distinct = |n: usize| n == 0 || places[n] != places[n - 1];
+            let places = (0..3).filter(|n| distinct(*n)).map(|n| places[n]);
+            for (a, b) in places.clone().flat_map(|a| places.clone().map(move |b| (a, b))) {
+                matrix[(a, b)] += weight * row[a] * row[b];
+            }
         }
         let Some(factor) = matrix.cholesky() else { break };
         exponents = factor.solve(&right);

@@ -214,17 +214,18 @@ The columns are t, the coordinates, h and the Casimirs c1, c2, ..., which are fo
 of low degree, named in the summary and in the metadata. Those of so(n), so(p,q), su(n), sl(n,R),
 gl(n) and sp(2n,R) of higher degree are tr X^k, tr J X^k (J: the product with i) and Pf X of the
 matrix X with tr(X ξ) = <μ, ξ>; those of se(n), so(p,q) |x Rn are |Gamma ∧ L^k|^2, the squares of
-wedge products of the vector with the form L = Σ L_ij e_i∧e_j, i < j, and Gamma ∧ L^m, n = 2m + 1.
+wedge products of the vector with the form L = Σ L_ij e_i∧e_j, i < j, and Gamma ∧ L^m, n = 2m + 1;
+that of sl(n,R) |x Rn is det(Gamma, Gamma X, ...), of the rows Gamma X^j.
 Formulas have + - * / ^, · and × between vectors, |v|, sqrt, cbrt, exp, ln, log10, sin, cos, tan,
 arcsin, arccos, arctan, sinh, cosh, tanh, atan2, hypot, if(x >= 1, y, z), sum(S[i]·S[i+1]),
 sum(S[i]·S[j], i < j), pi, and Greek letters by name (Gamma1) or as they are (Γ₁); there is no
 product without *. A coordinate must not have the name of another column.
 so(3), su(2), se(3) and sums of so(3) and su(2) have the formulations
 collective, reduced and direct; so(n), so(p,q), sp(2n,R) and gl(n) of dimension 4 to 64
-collective, along copies of their matrices, and direct; other algebras of dimension 2 to 6, and 7
-to 64 (a centre must be scaled by a grading), collective, on T*V by a Clebsch map, with a warning
-where its steps are not
-Poisson, and direct; the others direct, which is not Poisson. Without the key: collective where
+collective, along copies of their matrices, and direct; others of dimension 2 to 6, and larger ones
+without a centre or with a derivation that does not vanish there, collective, on T*V by a Clebsch
+map, with a warning where its steps are not Poisson, and direct; the others direct, which is not
+Poisson. Without the key: collective where
 there is reduced, too, or along matrices, and direct elsewhere.
 
 Examples:

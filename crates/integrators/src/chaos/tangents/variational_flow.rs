@@ -134,8 +134,8 @@ where
     /// # Errors
     /// Returns [`VariationalError::Integration`] if the first step fails, so that there are no scales.
     pub fn directions(&self) -> Result<[MomentumOf<I>; K], VariationalError> {
-        let mut direction = self.carrier.directions()?;
-        Ok(self.tangents.each_ref().map(|v| direction(v)))
+        let direction = self.carrier.directions()?;
+        Ok(self.tangents.each_ref().map(direction))
     }
 
     /// Advances the state and the tangent vectors by one step.

@@ -149,8 +149,8 @@ impl SectionProblem for SystemProblem {
     fn title(&self) -> String {
         let (section, system) = (&self.section, self.system());
         let names = self.conserved();
-        let formulas = std::iter::once(system.hamiltonian()).chain(system.casimirs());
-        let formulas = names.iter().zip(formulas).map(|(name, text)| format!("{name} = {text}"));
+        let formulas =
+            names.iter().zip(system.conserved()).map(|(name, text)| format!("{name} = {text}"));
         let formulas = formulas.collect::<Vec<_>>().join("; ");
         format!("{formulas}; on {} = {}", section.surface(), section.level())
     }

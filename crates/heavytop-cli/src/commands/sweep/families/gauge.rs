@@ -4,6 +4,7 @@ use crate::configuration::Observable;
 use collective_integrators::diagnostics::InvariantSize;
 use heavytop::{HeavyTop, Invariant, Nutation};
 use lie_poisson::{DualNumber, Se3Dual, Vector, larger, seed};
+use lie_poisson_formula_systems::{Casimir, ScalarFunction};
 use lie_poisson_formulas::Formula;
 use lie_poisson_runs::{Model, TopInAxes};
 
@@ -23,6 +24,16 @@ impl Quantity for Formula {
 
     fn write_differential(&self, mu: &[f64], slopes: &mut [f64]) {
         self.write_differential(mu, slopes);
+    }
+}
+
+impl Quantity for Casimir {
+    fn value(&self, mu: &[f64]) -> f64 {
+        self.value_at(mu)
+    }
+
+    fn write_differential(&self, mu: &[f64], slopes: &mut [f64]) {
+        ScalarFunction::write_differential(self, mu, slopes);
     }
 }
 

@@ -193,8 +193,9 @@ impl Family for SystemFamily {
         let (system, start) = self.system(values, course.schedule.step)?;
         let casimirs = in_columns(system.casimir_degrees(), self.system.casimir_degrees());
         let casimirs = casimirs.into_iter().map(|place| system.casimirs().get(place?));
-        let quantities = std::iter::once(Some(system.hamiltonian())).chain(casimirs);
-        let quantities = quantities.map(|f| f.map(|f| f as &dyn Quantity)).collect();
+        let casimirs = casimirs.map(|casimir| casimir.map(|casimir| casimir as &dyn Quantity));
+        let hamiltonian = Some(system.hamiltonian() as &dyn Quantity);
+        let quantities = std::iter::once(hamiltonian).chain(casimirs).collect();
         let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
         let mut gauge = Gauge::new(&system, quantities, (&start, wants_sizes));
         let integrator = system.tangent_integrator(&self.method, &start)?;

@@ -7,7 +7,7 @@ use super::pfaffian::Pfaffians;
 use lie_poisson_formulas::{Expression, Expressions, Formula, Vocabulary};
 use nalgebra::DMatrix;
 
-/// The largest number of products of a formula that is tried. Of those of so(n), sp(2n, R), su(n) and gl(n) the largest that
+/// The largest number of products of a formula that is tried; longer ones are computed from matrices. Of those of so(n), sp(2n, R), su(n) and gl(n) the largest that
 /// fits has 6860, tr X¹² of so(14), and the smallest that does not 8000, tr JX⁹ of su(10).
 const MOST_PRODUCTS: usize = 7500;
 
@@ -67,7 +67,12 @@ impl<'a> InvariantFormulas<'a> {
         }?;
         let value = scaled(&mut self.parts, self.unit.powi(degree as i32), value);
         let formula = Formula::of_expressions(&self.parts, value, self.names).ok()?;
-        Some(formula.printed_as(&invariant.text(&self.matrix_text())))
+        Some(formula.printed_as(&self.text(invariant)))
+    }
+
+    /// Returns the text that says what an invariant is.
+    pub(crate) fn text(&self, invariant: Invariant) -> String {
+        invariant.text(&self.matrix_text())
     }
 
     /// Returns whether a formula may be small enough. To build one that is not would take as long as all others.
@@ -97,7 +102,7 @@ impl<'a> InvariantFormulas<'a> {
     }
 
     /// Returns the text of X: with its coordinates if there are others beside them.
-    fn matrix_text(&self) -> String {
+    pub(crate) fn matrix_text(&self) -> String {
         let (all, places) = (self.names.coordinates(), self.algebra.places());
         if places.len() == all.dimension() {
             return "X".into();

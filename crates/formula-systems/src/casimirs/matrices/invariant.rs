@@ -70,7 +70,7 @@ impl Invariant {
 }
 
 /// Returns JM, whose rows are −Im and Re of M where those of M are Re and Im.
-fn times_i(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+pub(crate) fn times_i(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |row, column| match row % 2 {
         0 => -matrix[(row + 1, column)],
         _ => matrix[(row - 1, column)],
