@@ -44,7 +44,7 @@ impl<'a> StartSearch<'a> {
         }
         let scales = scales(system.algebra().coordinates(), state);
         let levels: Vec<Level<'_>> = system
-            .conserved()
+            .conserved_functions()
             .zip(levels)
             .map(|(function, &value)| Level::new(function, value))
             .collect();

@@ -162,7 +162,7 @@ impl FormulaSystem {
     /// They are taken in the order of their degrees, and one whose differential at a generic point is a combination of those
     /// before is left out. They are [formulas](Casimir::formula) up to so(14), su(9), sl(11, R), gl(11) and sp(12, R), and
     /// so(p, q) ⋉ Rⁿ up to n = 11. Beyond these, up to the [largest dimension](SystemAlgebra::MOST_DIMENSIONS), and for
-    /// sl(n, R) ⋉ Rⁿ with n > 3, they are computed from the matrices. None of these algebras has
+    /// sl(n, R) ⋉ Rⁿ with n > 2, they are computed from the matrices. None of these algebras has
     /// [missing](Self::missing_casimirs) ones.
     ///
     /// Sources: A. M. Perelomov & V. S. Popov, *Casimir operators for semisimple Lie groups*, Math. USSR Izv. 2 (1968), for
@@ -259,7 +259,7 @@ impl FormulaSystem {
     }
 
     /// Returns h and then the Casimirs that were found, which are constant along the motion.
-    pub fn conserved(&self) -> impl Iterator<Item = &dyn ScalarFunction> {
+    pub fn conserved_functions(&self) -> impl Iterator<Item = &dyn ScalarFunction> {
         let casimirs = self.casimirs.iter().map(|casimir| casimir as &dyn ScalarFunction);
         core::iter::once(&self.hamiltonian as &dyn ScalarFunction).chain(casimirs)
     }

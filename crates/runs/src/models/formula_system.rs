@@ -38,7 +38,7 @@ impl Model for FormulaSystem {
         let names = Invariants(self).names();
         names
             .iter()
-            .zip(self.conserved())
+            .zip(self.conserved_functions())
             .find(|(name, _)| *name == conserved)
             .map(|(_, f)| f.to_string())
     }
@@ -54,7 +54,7 @@ impl Model for FormulaSystem {
             size.size()
         };
         let names = Invariants(self).names();
-        let lost = names.iter().zip(self.conserved()).find_map(|(name, formula)| {
+        let lost = names.iter().zip(self.conserved_functions()).find_map(|(name, formula)| {
             let (value, [before, after]) =
                 (formula.value_at(start).abs(), [start, end].map(|state| size(formula, state)));
             let rounding = f64::EPSILON * after;
@@ -99,7 +99,7 @@ impl Conserved for Invariants<'_> {
     }
 
     fn append(&self, momentum: &[f64], values: &mut Vec<f64>) {
-        values.extend(self.0.conserved().map(|function| function.value_at(momentum)));
+        values.extend(self.0.conserved_functions().map(|function| function.value_at(momentum)));
     }
 
     /// Names the formula, its part without a value, and the state.

@@ -163,7 +163,7 @@ mod tests {
         }
     }
 
-    /// det(Γ, ΓX, ΓX²) for n = 3, which the search finds, too, and the derivatives of det(Γ, ΓX, ΓX², ΓX³).
+    /// det(Γ, ΓX, ΓX²) for n = 3, and for n = 4, with the derivatives.
     #[test]
     fn determinants_are_those_of_their_rows() {
         for (text, n) in [("sl(3,R) ⋉ R3", 3), ("sl(4,R) ⋉ R4", 4)] {

@@ -149,8 +149,10 @@ impl SectionProblem for SystemProblem {
     fn title(&self) -> String {
         let (section, system) = (&self.section, self.system());
         let names = self.conserved();
-        let formulas =
-            names.iter().zip(system.conserved()).map(|(name, text)| format!("{name} = {text}"));
+        let formulas = names
+            .iter()
+            .zip(system.conserved_functions())
+            .map(|(name, text)| format!("{name} = {text}"));
         let formulas = formulas.collect::<Vec<_>>().join("; ");
         format!("{formulas}; on {} = {}", section.surface(), section.level())
     }
