@@ -45,8 +45,7 @@ fn run(
     let mut flow = VariationalFlow::<_, 2>::generic(integrator, state.clone(), dimension, step);
     let (mut megno, mut growth) = (Megno::default(), 0.0);
     let blocks = || system.algebra().coordinates().groups().map(|(_, places)| places);
-    let invariants: Vec<_> =
-        std::iter::once(system.hamiltonian()).chain(system.casimirs()).collect();
+    let invariants: Vec<_> = system.conserved_functions().collect();
     let mut sizes = vec![InvariantSize::new(blocks()); invariants.len()];
     let (initial, mut deviations) = (system.invariants(start)?, vec![0.0; invariants.len()]);
     flow.normalise()?;

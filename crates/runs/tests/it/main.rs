@@ -10,4 +10,4 @@ mod errors_of_runs;
 mod reports;
 mod rows_of_runs;
 mod support;
-mod tangent_vectors;
+mod tangents_of_long_steps;
