@@ -116,7 +116,7 @@ def test_indicators_do_not_depend_on_the_unit_of_mass(unit, spin):
 
 
 def test_all_exponents_of_a_system_of_eight_and_of_eighteen_dimensions():
-    rotor = System("su(3)", "sum(mu^2) + mu1*mu2/2 + mu3*mu8/3")
+    rotor = System("su(3)", "mu1^2 + mu4^2/2 + mu7^2/3 + mu1*mu2/2 + mu3*mu8/3")
     start = 0.1 * np.arange(1, 9)
     found = lyapunov(rotor, start, step=0.05, end=20, exponents=8).exponents
     # The volume of momenta is kept, up to the order of the method.
@@ -127,5 +127,5 @@ def test_all_exponents_of_a_system_of_eight_and_of_eighteen_dimensions():
     places = [[np.sin(1.7 * t), np.cos(2.9 * t), np.sin(0.8 * t * t)] for t in range(1, 7)]
     places = [np.array(place) / np.linalg.norm(place) for place in places]
     # In such steps the equations of the tangent vectors need Newton's iteration.
-    all_of_them = lyapunov(vortices, places, step=0.4, end=3.2, exponents=18, scheme="gauss-4").exponents
+    all_of_them = lyapunov(vortices, {"positions": places}, step=0.4, end=3.2, exponents=18, scheme="gauss-4").exponents
     assert abs(all_of_them.sum()) < 1e-9

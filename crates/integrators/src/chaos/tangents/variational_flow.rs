@@ -20,8 +20,8 @@ use lie_poisson::State;
 /// and to P, with its fibres, for [`Collective`](crate::Collective). There the tangent vectors of μ are their images
 /// DM(z) v, which [`directions`](Self::directions) returns and [`normalise`](Self::normalise) measures.
 ///
-/// The state is never moved along its fibre, since such a motion has no tangent map ([`Integrator::pin`]). It is
-/// bit-identical to that of a [`Trajectory`](crate::Trajectory) from the same start up to the first such motion of the
+/// The state is never moved along its fibre, since such a motion has no tangent map
+/// ([`Integrator::pin`](crate::Integrator::pin)). It is bit-identical to that of a [`Trajectory`](crate::Trajectory) from the same start up to the first such motion of the
 /// trajectory. From there on the momenta are equal to round-off. Along an orbit on which z grows, M(z) loses the
 /// digits that the motions would save, in most realisations one for every tenfold time. Integrators without a lift
 /// lose none.
