@@ -76,3 +76,48 @@ impl<I: Start> Start for Renewed<I> {
         self.integrator.start(mu)
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use collective_integrators::CollectiveSites;
+    use heavytop::methods::SchemeName;
+    use lie_poisson::Covector;
+    use lie_poisson_systems::HeisenbergLattice;
+    use momentum_map::HOPF;
+    use nalgebra::Vector3;
+
+    /// A run that continues from a multiple of the period has the bits of the uninterrupted one, and one that continues from
+    /// another step has not.
+    #[test]
+    fn a_run_continues_from_multiples_of_the_period() {
+        let scheme = SchemeName::Gauss(4).runge_kutta(0.0).unwrap().unwrap();
+        let ring =
+            HeisenbergLattice::new([6, 1, 1]).unwrap().with_exchange([1, 0, 0], 1.0).unwrap();
+        let collective = CollectiveSites::new(scheme, HOPF, ring);
+        let renewed = Renewed { integrator: collective, period: 8 };
+        let spin =
+            |i: u32| Vector3::new(f64::from(i).sin(), f64::from(i * i).cos(), 0.4).normalize();
+        let mu = Covector((0..6).map(spin).collect());
+        let after = |from, steps: usize| {
+            let (mut state, mut workspace): (_, RenewedWorkspace<_>) = (from, renewed.workspace());
+            for _ in 0..steps {
+                renewed.step_in_place(&mut state, 0.3, &mut workspace).unwrap();
+            }
+            state
+        };
+        let start = renewed.start(&mu).unwrap();
+        let whole = after(start.clone(), 200);
+        assert!(after(after(start.clone(), 16), 184) == whole);
+        assert!(after(after(start.clone(), 8), 192) == whole);
+        assert!(after(after(start, 11), 189) != whole);
+    }
+
+    #[test]
+    fn large_systems_are_renewed_more_often() {
+        // 2²⁴ over the dimension, as a power of two, and at most the steps from checkpoint to checkpoint.
+        let periods = [1, 1 << 14, 1 << 15, 225_000, 3_000_000, usize::MAX].map(resumable_after);
+        assert_eq!(periods, [1024, 1024, 512, 64, 4, 1]);
+    }
+}

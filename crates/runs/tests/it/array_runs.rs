@@ -41,35 +41,33 @@ fn rows(run: &Experiment, from: Option<&Saved>) -> Vec<Vec<f64>> {
     rows
 }
 
-/// A run of a large system can be resumed after fewer steps than that of a small one, with the same bits, in each
-/// formulation.
+/// A run of a large system can be resumed after fewer steps than that of a small one, with the same bits.
 #[test]
+#[ignore = "long"]
 fn large_systems_are_resumed_to_the_same_bits() {
-    // 55 × 50 spins are 8250 coordinates; 2²² over that, as a power of two, is 256.
-    let model = || lattice(&[55.0, 50.0], 1.0);
-    assert_eq!(model().resumable_after(), 256);
+    // 300 × 250 spins are 225000 coordinates; 2²⁴ over that, as a power of two, is 64.
+    let model = || lattice(&[300.0, 250.0], 1.0);
+    assert_eq!(model().resumable_after(), 64);
     assert_eq!(lattice(&[4.0], 1.0).resumable_after(), 1024);
     let given = Arguments::new().number("tilt", 0.3);
-    for method in [SPHERICAL, (None, SchemeName::ImplicitMidpoint)] {
-        let run = experiment(model(), &given, method, pace(0.05, 13.6, 256));
-        let (mut saved, mut steps, mut all) = (None, Vec::new(), Vec::new());
-        run.follow(None, |moment| -> Result<(), RunFailure> {
-            steps.push(moment.step);
-            if run.pace.keeps(moment.step) {
-                all.push(moment.row.to_vec());
-            }
-            if moment.step == 256 {
-                saved = Some(moment.saved());
-            }
-            Ok(())
-        })
-        .unwrap();
-        let saved = saved.unwrap();
-        assert_eq!((saved.step, steps.last()), (256, Some(&272)), "{steps:?}");
-        let rest = rows(&run, Some(&saved));
-        assert_eq!((all.len(), rest.len()), (3, 1));
-        assert_eq!(all[2..], rest[..]);
-    }
+    let run = experiment(model(), &given, SPHERICAL, pace(0.05, 3.4, 64));
+    let (mut saved, mut steps, mut all) = (None, Vec::new(), Vec::new());
+    run.follow(None, |moment| -> Result<(), RunFailure> {
+        steps.push(moment.step);
+        if run.pace.keeps(moment.step) {
+            all.push(moment.row.to_vec());
+        }
+        if moment.step == 64 {
+            saved = Some(moment.saved());
+        }
+        Ok(())
+    })
+    .unwrap();
+    let saved = saved.unwrap();
+    assert_eq!((saved.step, steps.last()), (64, Some(&68)), "{steps:?}");
+    let rest = rows(&run, Some(&saved));
+    assert_eq!((all.len(), rest.len()), (3, 1));
+    assert_eq!(all[2..], rest[..]);
 }
 
 /// Control: an integrator that knows its earlier steps does not give the same bits when it is resumed where it does not
