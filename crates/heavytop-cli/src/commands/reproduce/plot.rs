@@ -16,8 +16,9 @@ const HEIGHT: i32 = 5800;
 const TEXT: f64 = 247.0;
 /// The size of the caption, 5.5 pt.
 const SMALL: f64 = 194.0;
-/// The height of a row of the legend.
+/// The height of a row of the legend, and the gap between the legend and the field.
 const ROW: i32 = 350;
+const GAP: i32 = 150;
 /// The least room on the right of the field.
 const MARGIN: i32 = 400;
 
@@ -44,7 +45,7 @@ pub(super) fn plot(figure: &Figure<'_>) -> Result<String, Error> {
         curve.draw_entry(&sheet.body, place, TEXT)?;
     }
     let mut chart = ChartBuilder::on(&sheet.body)
-        .margin_top(ROW * figure.curves.len() as i32)
+        .margin_top(ROW * figure.curves.len() as i32 + GAP)
         .margin_left(EDGE)
         .margin_right(right)
         .margin_bottom(EDGE)
@@ -122,6 +123,23 @@ mod tests {
         let records = records(0.0, 3e-20, 2.0);
         let drawing = plot(&all(&records)[3]).unwrap();
         assert!(texts(&drawing).iter().any(|text| text == "K (10⁻²⁰ (kg m²/s)⁴)"));
+    }
+
+    /// The room is some two fifths of the size of the text: a line that touches the letters reads as underlining.
+    #[test]
+    fn the_legend_is_apart_from_the_field() {
+        let records = records(1.0, 1e-3, 2.0);
+        for figure in all(&records) {
+            let drawing = plot(&figure).unwrap();
+            let (_, edge) = drawing.rsplit_once("<rect ").unwrap();
+            let top = edge.split("y=\"").nth(1).and_then(|top| top.split('"').next()).unwrap();
+            let top: f64 = top.parse().unwrap();
+            let boxes = svg_pictures::boxes(&drawing).unwrap();
+            let entries = boxes.iter().filter(|place| place.text.contains("midpoint"));
+            let room: Vec<f64> = entries.map(|entry| top - entry.bottom).collect();
+            assert_eq!(room.len(), figure.curves.len());
+            assert!(room.iter().all(|room| *room > 0.4 * TEXT), "{}: {room:?}", figure.name);
+        }
     }
 
     #[test]
