@@ -71,7 +71,7 @@ impl Archive {
     pub(crate) fn array(&mut self, name: &str) -> Result<(Header, impl Read + '_), FieldFileError> {
         let has = self.names();
         if !has.iter().any(|other| other == name) {
-            return Err(FieldFileError::NoArray { name: name.into(), has });
+            return Err(FieldFileError::NoArray { kind: "array", name: name.into(), has });
         }
         let length = self.length;
         let mut file = self.zip.by_name(&format!("{name}.npy")).map_err(|error| {

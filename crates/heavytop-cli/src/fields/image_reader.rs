@@ -65,7 +65,7 @@ fn array<'a>(file: &Node<'a, 'a>, name: &str) -> Result<Node<'a, 'a>, FieldFileE
     let mut arrays = file.descendants().filter(on_mesh);
     arrays.clone().find(|array| array.attribute("Name") == Some(name)).ok_or_else(|| {
         let has = arrays.by_ref().filter_map(|array| array.attribute("Name").map(String::from));
-        FieldFileError::NoArray { name: name.into(), has: has.collect() }
+        FieldFileError::NoArray { kind: "array", name: name.into(), has: has.collect() }
     })
 }
 

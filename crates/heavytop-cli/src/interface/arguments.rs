@@ -165,6 +165,15 @@ pub(super) enum Command {
         /// The frames of a film per second, 1 to 50; without it 20.
         #[arg(long, value_name = "F")]
         fps: Option<u32>,
+        /// Draw only these columns or arrays of the run, with a panel for each array or unit.
+        #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+        columns: Vec<String>,
+        /// Draw the columns against this one instead of t.
+        #[arg(long, value_name = "NAME")]
+        against: Option<String>,
+        /// Draw the track of the direction of this vector on the sphere.
+        #[arg(long, value_name = "ARRAY")]
+        trace: Option<String>,
     },
     /// Write the vectors of a run for ParaView, OOMMF or Ubermag.
     #[command(long_about = EXPORT, after_long_help = EXPORT_EXAMPLES)]

@@ -97,10 +97,21 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
                 false => Ok(()),
             }
         }
-        Command::Plot { run, out, replacing, sample, plane, every, fps } => {
+        Command::Plot {
+            run,
+            out,
+            replacing,
+            sample,
+            plane,
+            every,
+            fps,
+            columns,
+            against,
+            trace,
+        } => {
             let safeguard = Safeguard::new(vec![Input::File(run.clone())], replacing.force);
-            let options = PlotOptions { sample, plane, every, fps };
-            plot(&run, &out, options, &watch(quiet, &safeguard))
+            let options = PlotOptions { sample, plane, every, fps, columns, against, trace };
+            plot(&run, &out, &options, &watch(quiet, &safeguard))
                 .and_then(|done| closing.print(&done, &Notes::default()))
         }
         Command::Export { run, out, replacing, format, every } => {

@@ -6,8 +6,10 @@ mod run_arrays;
 mod picture_format;
 mod plot_options;
 mod plot_summary;
+mod quantities;
 mod histories;
 mod samples;
+mod whole_run;
 mod plot_command;
 
 pub use plot_command::plot;

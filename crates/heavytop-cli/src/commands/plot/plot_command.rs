@@ -1,7 +1,5 @@
 //! The command `plot`: reads an archive of a run and draws a picture or a film.
 
-use super::histories::chain_picture::chain_picture;
-use super::histories::panels_picture::panels_picture;
 use super::picture_format::PictureFormat;
 use super::plot_options::PlotOptions;
 use super::plot_summary::PlotSummary;
@@ -9,7 +7,7 @@ use super::run_arrays::RunArrays;
 use super::samples::choice::sample_picture;
 use super::samples::film_of_samples::film_of_samples;
 use super::samples::sample_picture::SamplePicture;
-use super::view::View;
+use super::whole_run::whole_run;
 use crate::errors::Error;
 use crate::files::Output;
 use crate::pictures::render::render;
@@ -20,14 +18,15 @@ use std::path::Path;
 const SCALE: f32 = 3.0;
 
 /// Draws a run in the archive `run`: a plane of a lattice, the vorticity of a fluid, or vortices in Mollweide's projection at a
-/// sample, or as a film; a chain of spins, or the coordinates of another system or of a top, against time.
+/// sample, or as a film; a chain of spins, or the coordinates of another system or of a top, against time. The options may
+/// choose columns, what they are drawn against, or the track of a direction.
 ///
 /// # Errors
-/// If the archive cannot be read, there is no such sample, plane or film, or the picture cannot be written.
+/// If the archive cannot be read, there is no such sample, plane, film or column, or the picture cannot be written.
 pub fn plot(
     run: &Path,
     out: &Path,
-    options: PlotOptions,
+    options: &PlotOptions,
     watch: &Watch<'_>,
 ) -> Result<PlotSummary, Error> {
     let format = PictureFormat::of(out)?;
@@ -41,20 +40,16 @@ pub fn plot(
         return Err(Error::OutOfRange { name: "sample", range, value: sample as f64 });
     }
     options.require_of(run.subject.view())?;
-    let drawing = match sample_picture(&run, options.plane)? {
-        Some(picture) if format == PictureFormat::Gif => {
-            return film_of_samples(&run, picture, out, options, watch);
-        }
-        None if format == PictureFormat::Gif => {
-            return Err(Error::NoFilm { path: out.into() });
-        }
+    let (is_whole, is_film) = (options.is_whole(run.subject.view()), format == PictureFormat::Gif);
+    let picture = if is_whole { None } else { sample_picture(&run, options.plane)? };
+    let drawing = match picture {
+        Some(picture) if is_film => return film_of_samples(&run, picture, out, options, watch),
+        None if is_film => return Err(Error::NoFilm { path: out.into() }),
         Some(picture) => drawing_of(&run, picture, sample)?,
-        None if run.subject.view() == View::Chain => chain_picture(&run)?,
-        None => panels_picture(&run)?,
+        None => whole_run(&run, options)?,
     };
     let (svg, png) = render(&drawing, SCALE)?;
     Output::whole(out, if format == PictureFormat::Svg { svg.as_bytes() } else { &png })?;
-    let is_whole = !run.subject.view().is_of_a_sample();
     Ok(PlotSummary { out: out.into(), time: run.time(sample), frames: None, is_whole })
 }
 

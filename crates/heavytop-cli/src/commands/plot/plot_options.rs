@@ -14,7 +14,7 @@ const FRAMES_PER_SECOND: u32 = 20;
 const MOST_FRAMES: usize = 200;
 
 /// The options of `plot`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct PlotOptions {
     /// The number of the sample that is drawn, from 0; the last one without it.
     pub sample: Option<usize>,
@@ -24,6 +24,12 @@ pub struct PlotOptions {
     pub every: Option<usize>,
     /// The frames of a film per second; 20 without it.
     pub fps: Option<u32>,
+    /// The names of the columns or arrays that are drawn, in their order; without any the picture shows the state.
+    pub columns: Vec<String>,
+    /// The name of the column against which they are drawn; the time without it.
+    pub against: Option<String>,
+    /// The name of the array of a vector of three components whose direction is drawn on the sphere.
+    pub trace: Option<String>,
 }
 
 impl PlotOptions {
@@ -40,7 +46,14 @@ impl PlotOptions {
             ("every", self.every.is_some() && !is_film, films),
             ("fps", self.fps.is_some() && !is_film, films),
         ];
-        if let Some((option, _, kind)) = options.into_iter().find(|(_, is_wrong, _)| *is_wrong) {
+        let has_columns = !self.columns.is_empty();
+        let without_trace = "pictures without --trace";
+        let mut options = options.into_iter().chain([
+            ("columns", has_columns && self.trace.is_some(), without_trace),
+            ("against", self.against.is_some() && self.trace.is_some(), without_trace),
+            ("against", self.against.is_some() && !has_columns, "pictures of --columns"),
+        ]);
+        if let Some((option, _, kind)) = options.find(|(_, is_wrong, _)| *is_wrong) {
             return Err(Error::OtherPicture { option, kind });
         }
         if self.every == Some(0) {
@@ -60,14 +73,26 @@ impl PlotOptions {
     /// [`Error::OtherPicture`].
     pub(super) fn require_of(&self, view: View) -> Result<(), Error> {
         let samples = "lattices, fluids and vortices: this picture shows the whole run";
+        let has_plane = view == View::Lattice && !self.is_whole(view);
         let options = [
-            ("sample", self.sample.is_some() && !view.is_of_a_sample(), samples),
-            ("plane", self.plane.is_some() && view != View::Lattice, "lattices of three axes"),
+            ("sample", self.sample.is_some() && self.is_whole(view), samples),
+            ("plane", self.plane.is_some() && !has_plane, "lattices of three axes"),
         ];
         match options.into_iter().find(|(_, is_wrong, _)| *is_wrong) {
             Some((option, _, kind)) => Err(Error::OtherPicture { option, kind }),
             None => Ok(()),
         }
+    }
+
+    /// Returns the option that chooses columns or a direction, if one does.
+    pub(super) fn of_columns(&self) -> Option<&'static str> {
+        let trace = self.trace.is_some().then_some("trace");
+        trace.or((!self.columns.is_empty()).then_some("columns"))
+    }
+
+    /// Returns whether the picture of a run shows the whole run, and not a sample.
+    pub(super) fn is_whole(&self, view: View) -> bool {
+        self.of_columns().is_some() || !view.is_of_a_sample()
     }
 
     /// Returns the n of which every n-th of so many samples is a frame of a film.

@@ -41,6 +41,11 @@ impl RunArrays {
         Ok(Self { path: path.into(), names: archive.names(), config, subject, times })
     }
 
+    /// Returns the error of the archive.
+    pub(super) fn failed(&self, error: FieldFileError) -> Error {
+        failed(&self.path, error)
+    }
+
     /// Returns whether the archive has an array of this name.
     pub(super) fn has(&self, name: &str) -> bool {
         self.names.iter().any(|own| own == name)

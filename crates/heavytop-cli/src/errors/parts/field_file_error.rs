@@ -12,12 +12,14 @@ pub enum FieldFileError {
     /// The file has another format, or one that is not read here.
     #[error("{0}")]
     Format(String),
-    /// There is no array of this name.
-    #[error("it has no array {name}; it has {}", has.join(", "))]
+    /// There is no array of this name, or nothing else that was looked for.
+    #[error("it has no {kind} {name}; it has {}", if has.is_empty() { "none".into() } else { has.join(", ") })]
     NoArray {
+        /// What was looked for, such as "array".
+        kind: &'static str,
         /// The name that was looked for.
         name: String,
-        /// The names of the arrays that there are.
+        /// The names of those that there are.
         has: Vec<String>,
     },
     /// The array has another shape.

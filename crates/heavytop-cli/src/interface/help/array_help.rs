@@ -7,13 +7,24 @@ Draws a run of simulate, as PNG or SVG:
   fluid            the vorticity at one time, in Mollweide's projection
   vortices         their places at one time, in Mollweide's projection; the tracks of up to 48
   other systems    the coordinates against time, and how far the conserved quantities are from
-  and tops         their start: relative to it, or absolute where it is 0
+  and tops         their start: relative to it, or absolute where it is 0; columns that the run
+                   of a top was asked for, [output] columns, have panels, too
+
+Of a top or a system by formula it draws, instead of this:
+  --columns NAMES   only these columns or arrays, such as theta,Omega, in this order: a panel for
+                    each array or unit
+  --against NAME    the columns against this one instead of t: a projection of the orbit
+  --trace ARRAY     the track of the direction of a vector, such as Gamma, on the sphere
+An unknown name is an error that lists the names of the run.
 
 What is drawn at one time is a film in a file .gif. All frames have the same scale of colours.";
 
 pub(crate) const PLOT_EXAMPLES: &str = "\
 Examples:
   heavytop plot top.npz --out top.svg
+  heavytop plot top.npz --out energies.svg --columns kinetic,potential,theta
+  heavytop plot top.npz --out portrait.svg --columns Pi2 --against Pi1
+  heavytop plot top.npz --out track.svg --trace Gamma
   heavytop plot lattice.npz --out lattice.svg --sample 0 --plane 3
   heavytop plot fluid.npz --out fluid.gif --every 10 --fps 25";
 

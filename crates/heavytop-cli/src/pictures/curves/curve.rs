@@ -56,7 +56,8 @@ impl Curve<'_> {
         values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
     }
 
-    /// Draws the points that are numbers, where `place` puts them in the chart.
+    /// Draws the curve where `place` puts its points in the chart. It has a gap at a point that is no number, and a dot for a
+    /// point that is alone.
     ///
     /// # Errors
     /// If plotters cannot draw them.
@@ -65,9 +66,20 @@ impl Curve<'_> {
         chart: &mut Chart<'_>,
         place: impl Fn((f64, f64)) -> (f64, f64),
     ) -> Result<(), Error> {
-        let points = self.points.iter().copied().map(place).filter(|point| point.1.is_finite());
-        let (points, style) = (points.collect::<Vec<_>>(), self.colour.stroke_width(WIDTH));
-        chart.draw_series([SvgElement::dashed(points, style, self.dashes)])?;
+        let points: Vec<(f64, f64)> = self.points.iter().copied().map(place).collect();
+        for piece in points.split(|(x, y)| !(x.is_finite() && y.is_finite())) {
+            match piece {
+                [] => {}
+                [alone] => {
+                    let dot = Circle::new(*alone, 2 * WIDTH as i32, self.colour.filled());
+                    chart.draw_series([dot])?;
+                }
+                _ => {
+                    let style = self.colour.stroke_width(WIDTH);
+                    chart.draw_series([SvgElement::dashed(piece, style, self.dashes)])?;
+                }
+            }
+        }
         Ok(())
     }
 

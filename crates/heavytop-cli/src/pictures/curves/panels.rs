@@ -9,8 +9,8 @@ use crate::pictures::charts::sheet::{EDGE, Sheet};
 use crate::pictures::lettering::widest;
 use plotters::prelude::*;
 
-/// The height of a panel, in units of 0.01 mm, with the gap below it: the names of six curves have room beside it.
-const PANEL: i32 = 2500;
+/// The height of a panel against time, in units of 0.01 mm, with the gap below it: the names of six curves have room beside it.
+pub(crate) const PANEL: i32 = 2500;
 /// The height of everything else: the caption and the abscissa.
 const REST: i32 = 2600;
 /// The gap below a panel.
@@ -34,15 +34,15 @@ pub(crate) struct Panels<'a> {
 }
 
 impl<'a> Panels<'a> {
-    /// Lays the panels out, the first one above.
+    /// Lays the panels out, each of this height, the first one above.
     ///
     /// # Errors
     /// If the caption cannot be drawn.
-    pub fn new(caption: &[String], panels: Vec<Panel<'a>>) -> Result<Self, Error> {
+    pub fn new(caption: &[String], panels: Vec<Panel<'a>>, height: i32) -> Result<Self, Error> {
         let names = panels.iter().flat_map(|panel| &panel.curves).map(|curve| curve.name.as_str());
         let right = LEGEND[0] + entry_width(widest(names) * TEXT) + EDGE;
         let left = panels.iter().map(|panel| beside(&panel.ordinate, TEXT)).max().unwrap_or(0);
-        let sheet = Sheet::new([WIDTH, REST + PANEL * panels.len() as i32], caption, TEXT)?;
+        let sheet = Sheet::new([WIDTH, REST + height * panels.len() as i32], caption, TEXT)?;
         Ok(Self { sheet, panels, sides: [left, right] })
     }
 
@@ -113,7 +113,7 @@ mod tests {
                     Panel { ordinate, curves: STYLES.into_iter().enumerate().map(curve).collect() }
                 };
                 let caption = ["a system", "a method", "step 0.1 s"].map(String::from);
-                let panels = Panels::new(&caption, (0..count).map(panel).collect()).unwrap();
+                let panels = Panels::new(&caption, (0..count).map(panel).collect(), PANEL).unwrap();
                 let axis = Axis::along_line(0.0, size, 5, panels.length());
                 let drawing = panels.draw(&Scale::linear(&axis, "t (s)", false)).unwrap();
                 let canvas = [WIDTH, REST + PANEL * count as i32].map(f64::from).into();

@@ -202,7 +202,7 @@ fn an_interrupted_film_leaves_no_file() {
     let stop = AtomicBool::new(true);
     let watch = Watch { stop: Some(&stop), ..Watch::default() };
     let film =
-        || plot(&folder.path("a.npz"), &folder.path("a.gif"), PlotOptions::default(), &watch);
+        || plot(&folder.path("a.npz"), &folder.path("a.gif"), &PlotOptions::default(), &watch);
     let before = folder.names();
     assert!(matches!(film(), Err(Error::Interrupted { .. })));
     assert_eq!(folder.names(), before);

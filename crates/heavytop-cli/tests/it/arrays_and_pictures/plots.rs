@@ -9,7 +9,7 @@ fn succeeded(done: &Finished) {
 }
 
 /// Simulates a run, draws it as `a.svg`, and returns the drawing and the rows of the run.
-fn drawn(folder: &Folder, text: &str, more: &[&str]) -> (String, Vec<Vec<f64>>) {
+pub fn drawn(folder: &Folder, text: &str, more: &[&str]) -> (String, Vec<Vec<f64>>) {
     folder.write("a.toml", text);
     for out in ["a.csv", "a.npz"] {
         succeeded(&folder.heavytop(&["simulate", "a.toml", "--out", out, "--force"]));
@@ -23,7 +23,7 @@ const VORTICES: &str = "[system]\nkind = 'vortices'\nparameters = { strengths = 
     [integrator]\nstep = 0.05\nend = 40\n";
 
 /// Returns a place on a map with this outline, by bisection for Mollweide's angle.
-fn on_map(outline: &Outline, [x, y, z]: [f64; 3]) -> [f64; 2] {
+pub fn on_map(outline: &Outline, [x, y, z]: [f64; 3]) -> [f64; 2] {
     let (longitude, wanted) = (y.atan2(x), PI * z);
     let (mut low, mut high) = (-PI / 2.0, PI / 2.0);
     for _ in 0..60 {
@@ -139,7 +139,7 @@ const PANELS: [(&[usize], &[usize], &str); 5] = [
 ];
 
 /// The colours of the curves of a panel.
-const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#555555"];
+pub const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#555555"];
 
 #[test]
 fn panels_have_a_curve_for_each_coordinate_and_each_conserved_quantity() {

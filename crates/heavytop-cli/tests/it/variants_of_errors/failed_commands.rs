@@ -69,13 +69,13 @@ fn of_arrays(folder: &Folder) -> BTreeSet<String> {
     let options = SimulateOptions::default();
     let with = |start: &str| config(&format!("{SPINS}{start}\n[integrator]\nend = 0.1\n"));
     let drawn = |run: &str, out: &str| {
-        plot(&folder.path(run), &folder.path(out), PlotOptions::default(), &watch)
+        plot(&folder.path(run), &folder.path(out), &PlotOptions::default(), &watch)
     };
     simulate(&config("integrator.end = 0.1"), &folder.path("top.npz"), &options).unwrap();
     let file = folder.path("top.npz");
     let from = |checksum: &str| with(&format!("initial_file = '{}'\n{checksum}", file.display()));
     let of_one = PlotOptions { sample: Some(0), ..PlotOptions::default() };
-    let one_sample = plot(&folder.path("top.npz"), &folder.path("a.gif"), of_one, &watch);
+    let one_sample = plot(&folder.path("top.npz"), &folder.path("a.gif"), &of_one, &watch);
     folder.write("text.npz", "");
     let other_shape = folder.path("five.ovf");
     folder.write("five.ovf", "# OOMMF OVF 2.0\n# Begin: Data Text\n");

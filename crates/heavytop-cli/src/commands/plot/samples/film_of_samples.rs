@@ -17,7 +17,7 @@ pub(in crate::commands::plot) fn film_of_samples(
     run: &RunArrays,
     mut picture: Box<dyn SamplePicture + '_>,
     out: &Path,
-    options: PlotOptions,
+    options: &PlotOptions,
     watch: &Watch<'_>,
 ) -> Result<PlotSummary, Error> {
     let (parts, samples) = (run.subject.parts(), run.times.len());

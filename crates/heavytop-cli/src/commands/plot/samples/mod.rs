@@ -2,6 +2,7 @@
 
 pub(super) mod sample_picture;
 mod sphere_map;
+pub(super) mod direction_track;
 mod lattice_plane;
 mod fluid_map;
 mod vortex_tracks;

@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 const MOST_VORTICES: usize = 48;
 
 /// The largest number of points of a track.
-const MOST_POINTS: usize = 4000;
+pub(super) const MOST_POINTS: usize = 4000;
 
 /// The latitudes and longitudes that vortices pass through, in radians.
 #[derive(Clone, Debug)]
@@ -41,23 +41,26 @@ impl VortexTracks {
 
     /// Returns the tracks on the map: of each vortex its pieces, which end where it leaves the map.
     pub fn pieces(&self) -> impl Iterator<Item = Vec<Vec<(f64, f64)>>> {
-        self.tracks.iter().map(|track| {
-            let mut pieces = vec![Vec::new()];
-            let mut last = None;
-            for point in track {
-                let edges = last.and_then(|last| edges(last, *point));
-                if let (Some([end, begin]), Some(piece)) = (edges, pieces.last_mut()) {
-                    piece.push(place(end));
-                    pieces.push(vec![place(begin)]);
-                }
-                if let Some(piece) = pieces.last_mut() {
-                    piece.push(place(*point));
-                }
-                last = Some(*point);
-            }
-            pieces
-        })
+        self.tracks.iter().map(|track| pieces(track))
     }
+}
+
+/// Returns the pieces on the map of a track through these latitudes and longitudes.
+pub(super) fn pieces(track: &[[f64; 2]]) -> Vec<Vec<(f64, f64)>> {
+    let mut pieces = vec![Vec::new()];
+    let mut last = None;
+    for point in track {
+        let edges = last.and_then(|last| edges(last, *point));
+        if let (Some([end, begin]), Some(piece)) = (edges, pieces.last_mut()) {
+            piece.push(place(end));
+            pieces.push(vec![place(begin)]);
+        }
+        if let Some(piece) = pieces.last_mut() {
+            piece.push(place(*point));
+        }
+        last = Some(*point);
+    }
+    pieces
 }
 
 /// Returns the latitude and the longitude of each vortex of a sample.
