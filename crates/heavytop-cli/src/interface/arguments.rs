@@ -124,7 +124,7 @@ pub(super) enum Command {
     Sweep {
         #[command(flatten)]
         top: Top,
-        /// The folder for the table and the heat maps; made if it is not there.
+        /// The folder for the table and the pictures; made if it is not there.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
         #[command(flatten)]

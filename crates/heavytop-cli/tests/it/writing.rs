@@ -38,8 +38,11 @@ const MAP_OF_SYSTEM: &str = "sweep={observables=['invariant-drift'],axes=[\
     {parameter='system.initial.Pi[0]',from=1,to=3,count=9},\
     {parameter='system.initial.Pi[2]',from=0,to=4,count=9}]}";
 
+const LINE: &str =
+    "sweep={observables=['megno'],axes=[{parameter='body.inertia[1]',from=1,to=3,count=81}]}";
+
 /// All commands that write files, in each of their formats.
-pub static WRITING: [Writing; 11] = [
+pub static WRITING: [Writing; 12] = [
     Writing {
         arguments: &["simulate", "--out", "a.csv", "--set", "integrator.end=24"],
         files: &["a.csv"],
@@ -135,6 +138,13 @@ pub static WRITING: [Writing; 11] = [
             "runs/drift_h.svg",
             "runs/sweep.parquet",
         ],
+        anew: &["--restart"],
+        repeats: true,
+        undisturbed: OnceLock::new(),
+    },
+    Writing {
+        arguments: &["sweep", "--out", "line", "--set", LINE, "--set", "integrator.end=1"],
+        files: &["line/megno.png", "line/megno.svg", "line/sweep.csv", "line/sweep.parquet"],
         anew: &["--restart"],
         repeats: true,
         undisturbed: OnceLock::new(),

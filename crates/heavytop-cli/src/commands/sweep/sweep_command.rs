@@ -1,10 +1,11 @@
-//! The command `sweep`: from a configuration to a table and heat maps.
+//! The command `sweep`: from a configuration to a table and pictures.
 
-use super::heat_maps;
 use super::judgements::impossible_members::impossible_members;
 use super::judgements::worst_accuracy::{worst_accuracy, worst_warning};
+use super::member_csv::{CSV, MemberCsv};
 use super::member_table::MemberTable;
 use super::member_tiles::Members;
+use super::pictures::SweepPicture;
 use super::processes::Processes;
 use super::sweep_forecast::forecast;
 use super::sweep_plan::Plan;
@@ -30,12 +31,13 @@ const SCALE: f32 = 3.0;
 
 /// Follows all tops of the configuration, or all motions of its system, and writes `sweep.parquet` into the folder `out`.
 ///
-/// A grid with two axes also gets a heat map of each column. If asked to, it continues from the finished tiles of an
+/// A grid with two axes also gets a heat map of each column, and a single axis a curve of each and the table as `sweep.csv`.
+/// If asked to, it continues from the finished tiles of an
 /// interrupted sweep.
 ///
 /// Processes of an MPI job (feature `mpi`) share the work. The folder `out` must be on a file system that all of them
 /// see, and only the first process returns the summary. No bit depends on the number of threads or processes. Memory
-/// does not grow with the number of rows, except for the heat maps.
+/// does not grow with the number of rows, except for the pictures.
 ///
 /// # Errors
 /// If the request is wrong, another run writes the sweep, or there is an interrupted sweep that shall be neither
@@ -146,25 +148,31 @@ fn run(
     assembled.map(Some)
 }
 
-/// Checks that the table and the maps may be written.
+/// Checks that the tables and the pictures may be written.
 fn require_replaceable(plan: &Plan, out: &Path, options: &TileOptions<'_>) -> Result<(), Error> {
     require_folder(out)?;
-    options.safeguard.require_all(out, &[("sweep.parquet", &TABLE)])?;
-    let columns = plan.columns.iter().filter(|_| heat_maps::size(plan).is_some());
-    columns.map(|column| map_files(column, out)).try_for_each(|[svg, png]| {
+    let tables: [(&str, &Kind<'_>); 2] = [("sweep.parquet", &TABLE), ("sweep.csv", &CSV)];
+    options.safeguard.require_all(out, if has_csv(plan) { &tables } else { &tables[..1] })?;
+    let columns = plan.columns.iter().filter(|_| SweepPicture::of(plan).is_some());
+    columns.map(|column| picture_files(column, out)).try_for_each(|[svg, png]| {
         options.safeguard.require(&svg, &render::SVG)?;
         options.safeguard.require(&png, &render::PNG)
     })
 }
 
-/// Returns the paths of the heat map of a column.
-fn map_files(column: &Column, out: &Path) -> [PathBuf; 2] {
+/// Returns whether a sweep has a table in CSV: one with curves. Of more members it would be large.
+fn has_csv(plan: &Plan) -> bool {
+    SweepPicture::of(plan) == Some(SweepPicture::Curve)
+}
+
+/// Returns the paths of the picture of a column.
+fn picture_files(column: &Column, out: &Path) -> [PathBuf; 2] {
     ["svg", "png"].map(|ending| out.join(&column.name).with_extension(ending))
 }
 
 /// Makes the output files of all tiles.
 ///
-/// If all members failed there are no maps, and the table, which says why, does not get its final name.
+/// If all members failed there are no pictures, and the table, which says why, does not get its final name.
 fn assemble(
     plan: &Plan,
     members: &Members,
@@ -173,8 +181,11 @@ fn assemble(
 ) -> Result<SweepSummary, Error> {
     let mut summary = SweepSummary::new(plan, metadata.error_estimate, out);
     let mut table = MemberTable::begin(plan, metadata, &out.join("sweep.parquet"))?;
+    let csv = has_csv(plan).then(|| MemberCsv::begin(plan, &out.join("sweep.csv")));
+    let mut csv = csv.transpose()?;
     members.each(|rows| {
         summary.add(&rows);
+        csv.as_mut().map_or(Ok(()), |csv| csv.add(&rows))?;
         table.add(rows)
     })?;
     if let (true, Some(first)) = (summary.failed == plan.members, &summary.first_failure) {
@@ -184,17 +195,20 @@ fn assemble(
     }
     let mut files = OutputSet::default();
     files.push(table.whole()?)?;
-    if let Some(size) = heat_maps::size(plan) {
-        draw_maps(plan, size, members, summary.failed, out, &mut files)?;
+    if let Some(csv) = csv {
+        files.push(csv.whole())?;
+    }
+    if let Some(picture) = SweepPicture::of(plan) {
+        draw(plan, picture, members, summary.failed, out, &mut files)?;
     }
     files.complete()?;
     Ok(summary)
 }
 
-/// Writes the heat map of each column.
-fn draw_maps(
+/// Writes the picture of each column.
+fn draw(
     plan: &Plan,
-    size: [u32; 2],
+    picture: SweepPicture,
     members: &Members,
     failed: u64,
     out: &Path,
@@ -206,9 +220,9 @@ fn draw_maps(
             values.extend(rows.iter().map(|row| row.value(index)));
             Ok(())
         })?;
-        let drawing = heat_maps::heat_map(plan, size, column, &values, failed)?;
+        let drawing = picture.draw(plan, column, &values, failed)?;
         let (svg, png) = render::render(&drawing, SCALE)?;
-        let [svg_file, png_file] = map_files(column, out);
+        let [svg_file, png_file] = picture_files(column, out);
         files.add(&svg_file, svg.as_bytes())?;
         files.add(&png_file, &png)?;
     }

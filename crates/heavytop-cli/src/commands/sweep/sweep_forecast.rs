@@ -1,7 +1,7 @@
 //! The forecast of a sweep: how much it would write, and how long that would take.
 
-use super::heat_maps;
 use super::measured_row::measure;
+use super::pictures::SweepPicture;
 use super::processes::Processes;
 use super::sweep_plan::Plan;
 use crate::configuration::Config;
@@ -15,12 +15,6 @@ use std::time::Instant;
 
 /// The largest number of steps of a member in a trial.
 const MOST_STEPS: u64 = 1000;
-
-/// The bytes of the two pictures of a map without values; lettering takes most of them.
-const BYTES_OF_FRAMES: u64 = 180_000;
-
-/// The bytes of a member in the two pictures of a map.
-const BYTES_OF_PIXEL: u64 = 2;
 
 /// Returns the forecast of a sweep after trying some of its members for a fifth of a second, or a little longer if steps
 /// are slow. Nothing is written.
@@ -60,9 +54,11 @@ pub fn dry_run(
 pub(super) fn forecast(plan: &Plan, out: &Path) -> Forecast {
     let (members, steps) = (plan.members, plan.course.schedule.steps);
     let (axes, columns) = (plan.axes.len() as u64, plan.columns.len() as u64);
-    let maps = heat_maps::size(plan).map_or(0, |_| columns);
-    let bytes = in_parquet(members * (1 + axes + columns))
-        + maps * (BYTES_OF_FRAMES + BYTES_OF_PIXEL * members);
+    let numbers = members * (1 + axes + columns);
+    let picture = SweepPicture::of(plan);
+    let pictures = picture.map_or(0, |picture| columns * picture.bytes(members));
+    let csv = if picture == Some(SweepPicture::Curve) { in_text(numbers) } else { 0 };
+    let bytes = in_parquet(numbers) + csv + pictures;
     Forecast {
         out: out.into(),
         work: format!("{members} {} of {steps} steps", plan.nouns()),

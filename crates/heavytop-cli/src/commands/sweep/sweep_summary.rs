@@ -1,7 +1,7 @@
 //! The summary of a sweep, which `heavytop sweep` prints.
 
-use super::heat_maps;
 use super::measured_row::Row;
+use super::pictures::SweepPicture;
 use super::sweep_plan::Plan;
 use crate::vocabulary::brief::number;
 use serde::Serialize;
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 /// The summary of a sweep, in numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SweepSummary {
-    /// The folder of the table and the heat maps.
+    /// The folder of the table and the pictures.
     pub out: PathBuf,
     /// The number of tops, where tops are swept.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -40,9 +40,9 @@ pub struct SweepSummary {
     /// The word for the runs.
     #[serde(skip)]
     nouns: &'static str,
-    /// Whether there are heat maps.
+    /// The word for the pictures, if there are any.
     #[serde(skip)]
-    has_maps: bool,
+    pictures: Option<&'static str>,
 }
 
 impl SweepSummary {
@@ -64,7 +64,7 @@ impl SweepSummary {
             failed: 0,
             first_failure: None,
             nouns: plan.nouns(),
-            has_maps: heat_maps::size(plan).is_some(),
+            pictures: SweepPicture::of(plan).map(SweepPicture::nouns),
         }
     }
 
@@ -91,7 +91,9 @@ impl fmt::Display for SweepSummary {
         if let Some(reason) = &self.first_failure {
             writeln!(f, "{failed} failed, see the column failure; the first: {reason}")?;
         }
-        let what = if self.has_maps { "table and heat maps are" } else { "the table is" };
-        write!(f, "{what} in {}", out.display())
+        match self.pictures {
+            Some(pictures) => write!(f, "table and {pictures} are in {}", out.display()),
+            None => write!(f, "the table is in {}", out.display()),
+        }
     }
 }

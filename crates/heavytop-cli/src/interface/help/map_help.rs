@@ -115,14 +115,18 @@ Written into the folder:
                   if all fail, the table is kept as sweep.parquet.partial, and the exit code is 1
   NAME.svg .png   for a grid with two axes and at most 4096 × 4096 tops, a map of each column: the
                   first axis is the abscissa; the colours span all values but half a percent at
-                  either end; gray has no value; the value 2 of MEGNO, regular motion, is marked
+                  either end; gray has no value; the value 2 of MEGNO, regular motion, is marked;
+                  for a single axis and at most 65536 tops, a curve of each column, with gaps where
+                  there is no value, or dots where the axis is random
+  sweep.csv       where there are curves, the table of sweep.parquet as text: an empty cell for a
+                  null, and the reason in quotes if it has commas or quotes
 
 Tops are followed in parallel (--threads, by default all processors); top number n depends on the
 configuration and n alone, so that no bit depends on the number of threads, processes or tops. What
 is finished is kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption,
 by Ctrl-C (a second one ends at once), a kill or a full disk, --resume continues from there, to the
 same bytes, and --restart starts anew; one of them is needed. --resume is refused with another
-configuration or version. But for the maps memory does not grow with the number of tops. --dry-run
+configuration or version. But for the pictures memory does not grow with the number of tops. --dry-run
 writes nothing, tries some tops for a fifth of a second, and prints what would be written, and the
 time.
 

@@ -6,4 +6,5 @@ mod drawn_marks;
 mod files_of_arrays;
 mod films;
 mod plots;
+mod sweep_curves;
 mod systems_of_arrays;

@@ -17,7 +17,7 @@ struct Files {
 
 const TILES: [&str; 4] = ["identity", "lock", "0000000", "0000001.partial"];
 
-const FILES: [Files; 6] = [
+const FILES: [Files; 7] = [
     Files {
         command: &["simulate"],
         out: "made/a.csv",
@@ -43,8 +43,16 @@ const FILES: [Files; 6] = [
         out: "made",
         files: &["sweep.parquet", "sweep.parquet.partial", "megno.svg", "megno.png"],
     },
+    Files {
+        command: &["sweep", "--set", LINE],
+        out: "made",
+        files: &["sweep.parquet", "sweep.csv", "sweep.csv.partial", "megno.svg", "megno.png"],
+    },
     Files { command: &["animate"], out: "made/a.html", files: &["a.html", "a.html.partial"] },
 ];
+
+/// A single axis, as an assignment.
+const LINE: &str = "sweep.axes=[{parameter='body.inertia[1]',from=1,to=3,count=3}]";
 
 const CONFIGURATION: &str = "integrator.end = 0.1\n[sweep]\nobservables = ['megno']\n";
 
@@ -228,6 +236,8 @@ fn a_file_of_another_kind_is_not_replaced() {
         ("section.parquet", "a.parquet"),
         ("a.parquet", "sweep.parquet"),
         ("section.csv", "a.csv"),
+        ("section.csv", "sweep.csv"),
+        ("sweep.csv", "section.csv"),
         ("a.csv", "summary.csv"),
         ("trajectories.csv", "work-precision.csv"),
     ] {

@@ -35,15 +35,15 @@ pub const SWEEP: Case = Case {
     other: ["end = 2.0", "end = 3.0", "[integrator] end: 2.0 against 3.0"],
 };
 
+/// A sweep with a single axis, which has a table in CSV, too.
 pub const SYSTEM_SWEEP: Case = Case {
     command: "sweep",
     configuration: "[system]\nalgebra = 'so(3)'\nhamiltonian = '(Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3)/2'\n\
         parameters.I = [3, 2, 1]\ninitial.Pi = [0.1, 1, 0.2]\n\
         [sweep]\nobservables = ['megno']\naxes = [\
-        { parameter = 'system.parameters.I[1]', from = 1, to = 3, count = 48 }, \
-        { parameter = 'system.initial.Pi[2]', from = 0, to = 4, count = 64 }]\n\
+        { parameter = 'system.parameters.I[1]', from = 1, to = 3, count = 3072 }]\n\
         [integrator]\nscheme = 'gauss-4'\nstep = 0.1\nend = 2.0",
-    files: &["sweep.parquet", "megno.svg", "megno.png"],
+    files: &["sweep.parquet", "sweep.csv", "megno.svg", "megno.png"],
     other: ["end = 2.0", "end = 3.0", "[integrator] end: 2.0 against 3.0"],
 };
 

@@ -1,13 +1,13 @@
 //! The heat map of a grid with two axes, as SVG.
 
-use super::colours::{NONE, bar_scale, range};
+use super::colours::{NONE, bar_scale, range, scaled};
+use super::words::{blank, words};
 use crate::commands::sweep::sweep_plan::Plan;
 use crate::configuration::{Column, Spread, SweepAxis};
 use crate::errors::Error;
-use crate::pictures::caption::{self, number};
 use crate::pictures::charts::frame::{HEIGHT, WIDTH};
 use crate::pictures::charts::scaled_chart::TEXT;
-use crate::pictures::charts::sheet::{Area, EDGE, LINE, text};
+use crate::pictures::charts::sheet::{Area, EDGE, text};
 use crate::pictures::colour_scale::colour;
 use crate::pictures::lettering::width;
 use crate::pictures::raster::cells;
@@ -15,49 +15,22 @@ use crate::pictures::{Axis, Frame, Scale};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 
-/// The smallest number whose logarithm is distinguished, relative to the largest number of the map.
-const SMALLEST: f64 = 1e-16;
-
-/// The largest number of values of a map; more would have more pixels than a screen, and take gigabytes.
-const MOST_VALUES: u64 = 1 << 24;
-
-/// Returns the number of columns and rows of a sweep's maps; `None` unless the sweep is a grid with two axes.
-pub(in crate::commands::sweep) fn size(plan: &Plan) -> Option<[u32; 2]> {
-    let [first, second] = plan.axes.as_slice() else { return None };
-    match (first.spread, second.spread) {
-        (Spread::Grid { count: columns, .. }, Spread::Grid { count: rows, .. })
-            if plan.members <= MOST_VALUES =>
-        {
-            Some([columns, rows])
-        }
-        _ => None,
-    }
-}
-
 /// Draws the values over the plane of the two axes, in a map of the given size.
 ///
 /// `failed` is the number of members that could not be followed.
 ///
 /// # Errors
 /// If the map cannot be drawn.
-pub(in crate::commands::sweep) fn heat_map(
+pub(super) fn heat_map(
     plan: &Plan,
     [columns, rows]: [u32; 2],
     column: &Column,
     values: &[Option<f64>],
     failed: u64,
 ) -> Result<String, Error> {
-    let numbers = values.iter().flatten().copied().filter(|value| value.is_finite());
-    let smallest = SMALLEST * numbers.fold(0.0, f64::max);
-    // Where all is zero there are no logarithms.
-    let is_logarithmic = column.is_logarithmic && smallest > 0.0;
-    let column = &Column { is_logarithmic, ..column.clone() };
-    let scaled =
-        |value: f64| if column.is_logarithmic { value.max(smallest).log10() } else { value };
-    let finite = |value: &Option<f64>| value.map(scaled).filter(|value| value.is_finite());
-    let scaled: Vec<Option<f64>> = values.iter().map(finite).collect();
+    let (column, scaled) = &scaled(column, values);
     let missing = scaled.iter().filter(|value| value.is_none()).count();
-    let range = range(&scaled, column);
+    let range = range(scaled, column);
     // The first axis is the abscissa, and the top row has the largest value of the second.
     let (width, height) = (columns as usize, rows as usize);
     let from_top = (0..height).rev().flat_map(|y| (0..width).map(move |x| x * height + y));
@@ -86,19 +59,6 @@ pub(in crate::commands::sweep) fn heat_map(
     frame.complete(chart, colour)
 }
 
-/// Returns the parts of the caption: how many members, by which method, and what all of them share.
-fn words(plan: &Plan) -> Vec<String> {
-    let (schedule, method) = (plan.course.schedule, plan.family.method());
-    let (formulation, scheme) = (method.formulation(), method.scheme());
-    let mut parts = vec![
-        format!("{} {}", plan.members, plan.nouns()),
-        caption::method(formulation, scheme, schedule.step),
-        format!("0 to {} s", number(schedule.end())),
-    ];
-    parts.extend(plan.family.shared());
-    parts
-}
-
 /// Returns the edges of an axis of the map: values are in the middle of their pixels.
 fn ends(axis: &SweepAxis) -> (f64, f64) {
     let (from, to, count) = match axis.spread {
@@ -110,7 +70,7 @@ fn ends(axis: &SweepAxis) -> (f64, f64) {
     (from.min(to) - half, from.max(to) + half)
 }
 
-fn is_reversed(axis: &SweepAxis) -> bool {
+pub(super) fn is_reversed(axis: &SweepAxis) -> bool {
     matches!(axis.spread, Spread::Grid { from, to, .. } if from > to)
 }
 
@@ -122,24 +82,6 @@ fn key(area: &Area, missing: usize) -> Result<(), Error> {
     let left = right - (width(&label) * TEXT) as i32 - 420;
     let corners = [(left, bottom - 310), (left + 300, bottom - 50)];
     area.draw(&Rectangle::new(corners, RGBColor(NONE, NONE, NONE).filled()))?;
-    Ok(())
-}
-
-/// Says in a map without values why it is blank.
-fn blank(area: &Area, column: &Column, (failed, plan): (u64, &Plan)) -> Result<(), Error> {
-    let [noun, nouns] = plan.family.nouns();
-    let lines = [
-        format!("No {noun} has a value of"),
-        column.label.clone(),
-        format!("{failed} of {} {nouns} could not be followed", plan.members),
-        "sweep.parquet has the reasons".to_owned(),
-    ];
-    let (width, height) = area.dim_in_pixel();
-    for (row, line) in lines.iter().enumerate() {
-        let y = f64::from(height) / 2.0 + 1.2 * LINE * TEXT * (row as f64 - 1.0);
-        let style = text(TEXT, HPos::Center, VPos::Center);
-        area.draw_text(line, &style, (width as i32 / 2, y as i32))?;
-    }
     Ok(())
 }
 
