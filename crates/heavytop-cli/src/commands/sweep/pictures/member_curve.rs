@@ -81,3 +81,71 @@ pub(super) fn member_curve(
     }
     frame.complete(chart, colour)
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::pictures::charts::frame::WIDTH;
+    use crate::pictures::lettering::checks::{collisions, texts};
+
+    /// The curve of an observable of five tops whose sizes are all of this size.
+    fn curve(size: f64, observable: &str, values: [Option<f64>; 5]) -> String {
+        let text = format!(
+            "body = {{ inertia = [{0:e}, {1:e}, {size:e}], mass = {size:e}, gravity = 1.0 }}\n\
+             sweep.observables = ['{observable}']\n\
+             [[sweep.axes]]\nparameter = 'body.inertia[1]'\nfrom = {1:e}\nto = {0:e}\ncount = 5",
+            2.0 * size,
+            2.5 * size,
+        );
+        let plan = Plan::new(&toml::from_str(&text).unwrap()).unwrap();
+        let failed = values.iter().filter(|value| value.is_none()).count() as u64;
+        member_curve(&plan, &plan.columns[0], &values, failed).unwrap()
+    }
+
+    const VALUES: [f64; 5] = [0.1, 0.2, -0.7, 0.4, 0.5];
+
+    #[test]
+    fn labels_are_apart_and_cut_at_no_scale() {
+        for size in [1e-30, 2e-4, 1.0, 1e30] {
+            for observable in ["final-state", "megno", "invariant-drift"] {
+                for values in [
+                    VALUES.map(|x| Some(x * size)),
+                    [Some(size); 5],
+                    [Some(0.0); 5],
+                    [Some(size), None, Some(2.0 * size), None, None],
+                    [None; 5],
+                ] {
+                    let drawing = curve(size, observable, values);
+                    let found = collisions(&drawing, (WIDTH.into(), HEIGHT.into()));
+                    assert_eq!(found, [""; 0], "{size} {observable} {:?}", texts(&drawing));
+                    assert!(!drawing.contains("NaN"), "{size} {observable}");
+                }
+            }
+        }
+    }
+
+    /// The heights of the points of a curve, from its lowest to its highest, depend on no unit. They are whole numbers of some
+    /// thousands.
+    #[test]
+    fn a_curve_looks_the_same_in_all_units() {
+        let heights = |size: f64, factor: f64| {
+            let drawing = curve(size, "final-state", VALUES.map(|x| Some(factor * x * size)));
+            let (_, marks) = drawing.rsplit_once("stroke-dasharray=\"none\"").unwrap();
+            let path = marks.split("d=\"M").nth(1).unwrap().split('"').next().unwrap();
+            let points = path.split('L').map(|point| point.split_once(' ').unwrap().1);
+            let heights: Vec<f64> = points.map(|y| y.parse().unwrap()).collect();
+            let most = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let least = heights.iter().copied().fold(f64::INFINITY, f64::min);
+            heights.into_iter().map(move |y| (y - least) / (most - least)).collect::<Vec<_>>()
+        };
+        let are_near = |one: Vec<f64>, other: Vec<f64>| {
+            one.iter().zip(other).all(|(one, other)| (one - other).abs() < 1e-3)
+        };
+        for size in [1e-30, 1e30] {
+            assert!(are_near(heights(1.0, 1.0), heights(size, 1.0)), "{size}");
+            // Control: other values have other heights.
+            assert!(!are_near(heights(1.0, 1.0), heights(size, -1.0)), "{size}");
+        }
+    }
+}
