@@ -9,14 +9,15 @@ use crate::runs::schedule::Schedule;
 use collective_integrators::{
     AnyIntegrator, AnyState, Direction, EventError, EventSearch, SampleOf, Start,
 };
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 use heavytop::methods::attitude_of;
 use lie_poisson::larger;
 
 /// The largest change of an angle from sample to sample that tells its direction, rad.
 const RESOLVED: f64 = 2.5;
 
-/// The range of the inclination below which it is constant, rad: that of rounding errors.
+/// The range of the inclination below which it is constant, and the inclination below which the axis is upright, rad: those
+/// of rounding errors.
 const STEADY: f64 = 1e-9;
 
 /// The motion of an axis, from one of its highest points to the last one, or over the whole run if there are no two.
@@ -26,9 +27,9 @@ pub(super) struct MeasuredMotion {
     pub inclination: [f64; 2],
     /// The mean time from one highest point to the next, s.
     pub period: Option<f64>,
-    /// The mean rate of the precession, rad/s; `None` if a step does not resolve it.
+    /// The mean rate of the precession, rad/s; `None` if a step does not resolve it, or the axis stays upright.
     pub precession: Option<f64>,
-    /// The mean rate of the spin, rad/s; `None` if a step does not resolve it.
+    /// The mean rate of the spin, rad/s; `None` as that of the precession.
     pub spin: Option<f64>,
 }
 
@@ -106,10 +107,13 @@ impl Record {
         let inclination = self.inclination.unwrap_or([f64::NAN; 2]);
         let nods = inclination[1] - inclination[0] > STEADY && self.count >= 2;
         let between = if nods { self.highest } else { self.ends };
+        // Of an upright axis, only the sum of precession and spin has a meaning.
+        let is_upright = inclination[1] < STEADY || inclination[0] > PI - STEADY;
         let mean = |place: usize| {
             let [Some(from), Some(to)] = between else { return None };
             let mean = (to.turned[place] - from.turned[place]) / (to.time - from.time);
-            (mean.is_finite() && !self.windings[place].is_lost).then_some(mean)
+            let is_known = mean.is_finite() && !self.windings[place].is_lost && !is_upright;
+            is_known.then_some(mean)
         };
         let period = match self.highest {
             [Some(from), Some(to)] if nods => {

@@ -45,11 +45,14 @@ pub struct SteadyRotation {
 
 impl SteadyRotation {
     /// Returns the steady rotations of a top with this vertical momentum (kg m²/s), those of least energy first. There are none
-    /// of a thin rod, nor of a body without weight and momentum, which rests in every direction.
+    /// of a thin rod, nor of a body without weight and momentum, which rests in every direction, nor of a sphere without
+    /// weight, which turns steadily about every axis.
     #[must_use]
     pub fn all(top: &HeavyTop, vertical_momentum: f64) -> Vec<Self> {
         let moments = top.inertia();
-        if top.rod_axis().is_some() || (top.weight_moment() == 0.0 && vertical_momentum == 0.0) {
+        let is_sphere = moments.x == moments.y && moments.y == moments.z;
+        let is_any = top.weight_moment() == 0.0 && (vertical_momentum == 0.0 || is_sphere);
+        if top.rod_axis().is_some() || is_any {
             return Vec::new();
         }
         let search = Search { top, momentum: vertical_momentum };

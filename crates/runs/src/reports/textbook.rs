@@ -37,7 +37,10 @@ pub(super) fn of_lagrange(
             .with("m g l/(I₃ω₃), of a fast top", weight / axial)
             .with("without nutation, at the mean cos θ", steady),
         ReportLine::new("nutation, 2π/period", motion.period.map(|period| TAU / period), "rad/s")
-            .with("I₃ω₃/I₁, of a fast top", axial.abs() / across)
+            .with(
+                "I₃ω₃/I₁, of a fast top",
+                if axial == 0.0 { f64::NAN } else { axial.abs() / across },
+            )
             .with(
                 "closed form, by an elliptic integral",
                 exact.map_or(f64::NAN, |exact| TAU / exact.period()),

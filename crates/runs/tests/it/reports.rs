@@ -146,6 +146,29 @@ fn a_pendulum_hangs_and_stands() {
     assert!((TAU / nutation - 2.0 * 1.854_074_677_301_371_9).abs() < 1e-9, "{nutation}");
 }
 
+/// A top that stands upright has no precession of its own, and a sphere without weight no steady rotation of its own.
+#[test]
+fn what_has_no_meaning_is_not_told() {
+    let top = HeavyTop::lagrange(2.0, 1.0, 1.0).unwrap();
+    for (vertical, inclination) in [(1.0, 0.0), (-1.0, 180.0)] {
+        let start = Se3Dual::new(Vector3::new(0.0, 0.0, 4.0), Vector3::new(0.0, 0.0, vertical));
+        let sleeping = report(top, &start, 0.05, 10.0);
+        for name in ["precession", "spin, mean"] {
+            let found = sleeping.lines.iter().find(|line| line.name.starts_with(name)).unwrap();
+            assert_eq!(found.measured, None, "{name}");
+        }
+        assert_eq!(line(&sleeping, "least inclination", "").0, inclination);
+    }
+    // Control: at an angle it has both.
+    let tilted =
+        Se3Dual::new(Vector3::new(0.0, 0.0, 4.0), Vector3::new(1e-3, 0.0, 1.0).normalize());
+    assert!(line(&report(top, &tilted, 0.05, 10.0), "precession", "").0.is_finite());
+    let sphere = HeavyTop::free_rigid_body(Vector3::new(2.0, 2.0, 2.0)).unwrap();
+    assert!(SteadyRotation::all(&sphere, 1.0).is_empty());
+    let body = HeavyTop::free_rigid_body(Vector3::new(2.0, 2.0, 3.0)).unwrap();
+    assert!(!SteadyRotation::all(&body, 1.0).is_empty());
+}
+
 /// A run without two highest points, and one whose formulation has no attitude.
 #[test]
 fn what_a_run_does_not_show_is_not_told() {
