@@ -1,5 +1,6 @@
 //! The arguments of the command line.
 
+use super::beginnings::map_tables::MapTable;
 use super::help::{
     ANIMATE, ANIMATE_EXAMPLES, BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES,
     COMPLETIONS_EXAMPLES, EXIT_CODES, EXPORT, EXPORT_EXAMPLES, INIT_EXAMPLES, MAN_EXAMPLES, PLOT,
@@ -217,8 +218,11 @@ pub(super) enum Command {
         /// A top by name; without it the paper's Kovalevskaya top.
         #[arg(long)]
         preset: Option<Preset>,
+        /// Begin a configuration of many motions, for this command.
+        #[arg(long = "for", value_enum, value_name = "COMMAND")]
+        map: Option<MapTable>,
         /// A system by its name, such as spin-lattice, instead of a top.
-        #[arg(long, value_name = "NAME", conflicts_with = "preset")]
+        #[arg(long, value_name = "NAME", conflicts_with_all = ["preset", "map"])]
         kind: Option<String>,
     },
     /// Print the manual page of the program, or of a command.

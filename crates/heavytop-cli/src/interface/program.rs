@@ -1,9 +1,9 @@
 //! The program: from the arguments of its process to its exit code.
 
 use super::arguments::{Arguments, Command, Parts, Replacing, Top};
+use super::beginnings::first_configuration::init;
+use super::beginnings::first_system::init_system;
 use super::confirmation::confirm;
-use super::first_configuration::init;
-use super::first_system::init_system;
 use super::manual::man;
 use super::signals::interrupted;
 use super::standard_output::{print, print_fitted, print_help, print_line, to_stdout};
@@ -161,9 +161,9 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
         Command::Report { top } => top
             .noted(Replacing { force: false }, |config, _| report(&config))
             .and_then(|(done, notes)| closing.print(&done, &notes)),
-        Command::Init { file, preset, kind, replacing } => match kind {
+        Command::Init { file, preset, map, kind, replacing } => match kind {
             Some(kind) => init_system(&kind, file.as_deref(), replacing.force),
-            None => init(preset, file.as_deref(), replacing.force),
+            None => init(preset, map, file.as_deref(), replacing.force),
         },
         Command::Man { command } => man(command.as_deref()),
         Command::Completions { shell } => completions(shell),

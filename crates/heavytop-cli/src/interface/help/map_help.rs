@@ -126,9 +126,9 @@ configuration and n alone, so that no bit depends on the number of threads, proc
 is finished is kept, 256 tops at a time, in DIR/sweep.partial until all is; after an interruption,
 by Ctrl-C (a second one ends at once), a kill or a full disk, --resume continues from there, to the
 same bytes, and --restart starts anew; one of them is needed. --resume is refused with another
-configuration or version. But for the pictures memory does not grow with the number of tops. --dry-run
-writes nothing, tries some tops for a fifth of a second, and prints what would be written, and the
-time.
+configuration or version. But for the pictures memory does not grow with the number of tops.
+--dry-run writes nothing, tries some tops for a fifth of a second, and prints what would be written,
+and the time.
 
 A program built with the feature mpi shares the work among the processes of an MPI job. DIR must be
 on a file system that all of them see. A process that fails says why and ends the job.";

@@ -28,6 +28,7 @@ pub(crate) const INIT_EXAMPLES: &str = "\
 Examples:
   heavytop init top.toml                          # the paper's top
   heavytop init --preset lagrange top.toml
+  heavytop init --for sweep map.toml              # many tops, and a map of order and chaos
   heavytop init > top.toml
 A file that has been edited is replaced with --force only.
 A system that is no top has a table [system]: heavytop simulate --help shows some.";

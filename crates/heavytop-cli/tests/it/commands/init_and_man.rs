@@ -49,6 +49,41 @@ fn the_first_configuration_is_the_preset_and_overwrites_nothing() {
     assert!(nowhere.stderr().contains("cannot create missing/a.toml"), "{}", nowhere.stderr());
 }
 
+/// Configurations of sections and sweeps run as they are, and are those of `section` and `sweep`.
+#[test]
+fn sections_and_sweeps_begin_with_tables_of_their_own() {
+    for (command, shrink, made) in [
+        ("section", "section={starts=2,crossings=5}", "section.csv"),
+        ("sweep", "integrator={end=1,step=0.5}", "sweep.parquet"),
+    ] {
+        let folder = Folder::new();
+        for preset in ["kovalevskaya", "goryachev-chaplygin"] {
+            let begun = folder.heavytop(&["init", "--for", command, "--preset", preset, "a.toml"]);
+            assert_eq!((begun.code(), begun.stderr()), (0, String::new()));
+            let text = folder.read("a.toml");
+            assert!(
+                text.contains(&format!("# Run it: heavytop {command} FILE --out DIR")),
+                "{text}"
+            );
+            assert!(text.lines().all(|line| line.chars().count() <= 110), "{text}");
+        }
+        let run = folder.heavytop(&[command, "a.toml", "--set", shrink, "--out", "out"]);
+        assert_eq!(run.code(), 0, "{}", run.stderr());
+        assert!(folder.path("out").join(made).exists());
+        // What somebody has edited is kept.
+        folder.write(
+            "a.toml",
+            &folder
+                .read("a.toml")
+                .replace("count = 32", "count = 3")
+                .replace("starts = 60", "starts = 6"),
+        );
+        assert_eq!(folder.heavytop(&["init", "--for", command, "a.toml"]).code(), 2);
+    }
+    let both = Folder::new().heavytop(&["init", "--for", "sweep", "--kind", "vortices"]);
+    assert!(both.code() == 2 && both.stderr().contains("cannot be used with"), "{}", both.stderr());
+}
+
 #[test]
 fn manual_pages_are_pages() {
     let folder = Folder::new();

@@ -124,7 +124,11 @@ const TEMPLATES: [Template; 11] = [
 ///
 /// # Errors
 /// If there is no such system, the file exists and has been edited, unless it is replaced by force; or it cannot be written.
-pub(super) fn init_system(kind: &str, file: Option<&Path>, force: bool) -> Result<(), Error> {
+pub(in crate::interface) fn init_system(
+    kind: &str,
+    file: Option<&Path>,
+    force: bool,
+) -> Result<(), Error> {
     let template = TEMPLATES.iter().find(|template| template.kind == kind).ok_or_else(|| {
         let kinds = TEMPLATES.iter().map(|template| template.kind.to_owned()).collect();
         SystemTableError::from(FormulaSystemError::NoKind { name: kind.into(), kinds })

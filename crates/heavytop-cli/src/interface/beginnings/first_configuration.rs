@@ -1,9 +1,10 @@
 //! The command `init`: a configuration with comments, to begin with.
 
-use super::standard_output::to_stdout;
+use super::map_tables::MapTable;
 use crate::configuration::{BodyConfig, Config, Integration, Preset};
 use crate::errors::Error;
 use crate::files::{Kind, Output, Place, Safeguard};
+use crate::interface::standard_output::to_stdout;
 use clap::ValueEnum;
 use std::io::{self, Write};
 use std::path::Path;
@@ -17,15 +18,23 @@ const KIND: Kind<'_> = Kind {
 
 /// Returns the configurations that there are to write.
 fn texts() -> impl Iterator<Item = String> {
-    Preset::value_variants().iter().map(|preset| commented(&preset.config()))
+    let presets = Preset::value_variants().iter().map(|preset| preset.config());
+    let maps = [None, Some(MapTable::Section), Some(MapTable::Sweep)];
+    presets.flat_map(move |config| maps.map(|map| commented(&config, map)))
 }
 
-/// Writes a commented configuration into a file, or to stdout.
+/// Writes a commented configuration into a file, or to stdout, of one motion or of many.
 ///
 /// # Errors
 /// If the file exists and has been edited, unless it is replaced by force; or it cannot be written.
-pub(super) fn init(preset: Option<Preset>, file: Option<&Path>, force: bool) -> Result<(), Error> {
-    write_new(&commented(&preset.map_or_else(Config::default, Preset::config)), &KIND, file, force)
+pub(in crate::interface) fn init(
+    preset: Option<Preset>,
+    map: Option<MapTable>,
+    file: Option<&Path>,
+    force: bool,
+) -> Result<(), Error> {
+    let config = preset.map_or_else(Config::default, Preset::config);
+    write_new(&commented(&config, map), &KIND, file, force)
 }
 
 /// Writes a configuration of a kind into a file, or to stdout.
@@ -51,13 +60,16 @@ pub(super) fn write_new(
 }
 
 /// Returns the configuration as TOML with comments.
-fn commented(config: &Config) -> String {
+fn commented(config: &Config, map: Option<MapTable>) -> String {
     let Config { body, initial, output, .. } = config;
     let integrator = config.integrator.or(Integration::default());
     let (formulation, scheme) = (integrator.formulation.name(), integrator.scheme.name());
-    let mut text = String::from(
-        "# A heavy top for the program heavytop. Every key may be left out.\n\
-         # Run it: heavytop simulate FILE --out top.csv\n",
+    let run = match map {
+        None => "simulate FILE --out top.csv".to_owned(),
+        Some(map) => format!("{} FILE --out DIR", map.command()),
+    };
+    let mut text = format!(
+        "# A heavy top for the program heavytop. Every key may be left out.\n# Run it: heavytop {run}\n"
     );
     let mut table = |name: &str, lines: &[(String, &str)]| {
         text += &format!("\n[{name}]\n");
@@ -79,6 +91,9 @@ fn commented(config: &Config) -> String {
             ("# azimuth = \"0 deg\"".into(), "from e1 towards e2, beside inclination"),
         ],
     );
+    if let Some(map) = map {
+        return text + map.text() + CHOSEN;
+    }
     table(
         "integrator",
         &[
@@ -107,6 +122,11 @@ fn commented(config: &Config) -> String {
     text + "\n# heavytop help section and heavytop help sweep show [section] and [sweep]. They choose formulation,\n\
             # scheme and step if these are left out.\n"
 }
+
+/// What stands at the end of a configuration of a section or of a sweep.
+const CHOSEN: &str = "
+# [integrator]                                 # formulation, scheme, step: chosen if they are left out
+";
 
 /// Returns the lines of the table `[body]`, each with its comment.
 fn lines_of_body(body: &BodyConfig) -> Vec<(String, &'static str)> {
@@ -156,7 +176,7 @@ mod tests {
         for preset in Preset::value_variants() {
             let mut config = preset.config();
             config.integrator = config.integrator.or(Integration::default()).into();
-            let read: Config = toml::from_str(&commented(&config)).unwrap();
+            let read: Config = toml::from_str(&commented(&config, None)).unwrap();
             // Beside m g l its factors are neither written nor used.
             if config.body.weight_moment.is_some() {
                 config.body.gravity = read.body.gravity;
