@@ -39,7 +39,7 @@ impl ScalarFunction for Formula {
 /// ```
 /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 /// use lie_poisson_formulas::Parameters;
-/// let body = FormulaSystem::new(SystemAlgebra::named("so(16)")?, "L12^2", &Parameters::new())?.with_found_casimirs()?;
+/// let body = FormulaSystem::new(SystemAlgebra::named("so(16)")?, "L1_2^2", &Parameters::new())?.with_found_casimirs()?;
 /// let pfaffian = body.casimirs().iter().find(|casimir| casimir.to_string() == "Pf X");
 /// assert!(pfaffian.is_some_and(|casimir| casimir.formula().is_none() && casimir.value_at(&[0.0; 120]) == 0.0));
 /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
