@@ -68,6 +68,9 @@ pub fn problems() -> Vec<String> {
     let product: Vec<String> = (1..4700).map(|n| format!("sin({n}*Pi1)")).collect();
     let plane = Vocabulary::new(&Coordinates::scalars(["x", "y"]).unwrap(), &Parameters::new());
     let area = Formula::new("x*y", &plane.unwrap()).unwrap();
+    let numbered =
+        Vocabulary::new(&Coordinates::scalars(["S1", "S2"]).unwrap(), &Parameters::new());
+    let no_vector = Formula::new("S·S", &numbered.unwrap()).map_err(|e| e.problem().clone());
     let other_space = FormulaHamiltonian::<So3>::of(&area).map_err(|e| e.problem().clone());
     let long = format!("Pi1{}", " + Pi1".repeat(20_000));
     let deep = format!("{}Pi1", "-(".repeat(500));
@@ -101,5 +104,6 @@ pub fn problems() -> Vec<String> {
     let mut found: Vec<String> = texts.iter().map(|text| refused(problem(text))).collect();
     found.push(refused(problem(&product.join("*"))));
     found.push(refused(other_space));
+    found.push(refused(no_vector));
     found
 }
