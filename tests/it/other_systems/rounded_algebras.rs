@@ -115,8 +115,8 @@ impl Check for Rounded {
             let generic = in_generic_basis(&algebra, seed).unwrap();
             let found = check("generic", generic.clone());
             let [zero, other] = found.gap().unwrap_or([0.0, 1.0]);
-            // The smallest at the generic points is 8e-5, of A4,11.
-            assert!(zero < 1e-13 && other > 1e-5, "{}: {zero:e} {other:e}", entry.name);
+            // Six digits lie between what is zero and what is not; of A4,11 it is 8e-5.
+            assert!(zero < 1e-13 && other > 1e-7, "{}: {zero:e} {other:e}", entry.name);
             let in_units = in_units(&generic, |i| [1e9, 1.0, 1e-9][i % 3]).unwrap();
             check("generic, in units", in_units);
         }
