@@ -4,6 +4,7 @@
 mod algebra_expressions;
 mod algebras_of_systems;
 mod casimirs;
+mod collective_by_expression;
 mod laws_of_systems;
 mod methods_by_name;
 mod realisations;

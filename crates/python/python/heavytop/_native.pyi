@@ -72,6 +72,7 @@ class Top:
         str,
         list[tuple[str, Optional[float], str, list[tuple[str, float]]]],
         list[tuple[list[float], float, float, float, bool, float]],
+        str,
     ]: ...
     def follow(
         self,

@@ -179,10 +179,10 @@ class Top(TopParameters):
         step, end = course(step, end)
         run = self._run(Pi, Gamma, step, formulation, scheme, 0.0)
         warn_of_accuracy(self._top, run.setting, round(end / step), 3)
-        kind, numbers, steady = self._top.report(run.setting, end)
+        kind, numbers, steady, text = self._top.report(run.setting, end)
         measured = {name: Measured(value, unit, dict(formulas)) for name, value, unit, formulas in numbers}
         rotations = tuple(SteadyRotation(np.array(one[0]), one[1], one[2], one[3], one[4], one[5]) for one in steady)
-        return Report(kind, measured, rotations)
+        return Report(kind, measured, rotations, text)
 
     def _run(self, Pi: ArrayLike, Gamma: ArrayLike, step: float, formulation: Any, scheme: Any, tolerance: Any) -> Run:
         angular_momentum = vector("Pi", Pi)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Optional
 
 import numpy as np
@@ -94,14 +94,7 @@ class Report:
     kind: str
     numbers: Mapping[str, Measured]
     steady: tuple[SteadyRotation, ...]
+    _text: str = field(repr=False)
 
     def __str__(self) -> str:
-        lines = [self.kind]
-        for name, number in self.numbers.items():
-            measured = "not in this run" if number.value is None else f"{number.value:.6g} {number.unit}"
-            lines.append(f"  {name:<50} {measured}")
-            lines.extend(f"    {formula:<48} {value:.6g} {number.unit}" for formula, value in number.formulas.items())
-        for one in self.steady:
-            growth = "disturbances do not grow" if one.growth == 0 else f"disturbances grow e-fold in {1 / one.growth:.6g} s"
-            lines.append(f"  steady at {np.round(one.vertical, 4).tolist()}: {one.rate:.6g} rad/s; {growth}")
-        return "\n".join(lines)
+        return self._text

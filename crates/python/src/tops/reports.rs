@@ -18,8 +18,8 @@ pub(super) type Line = (&'static str, Option<f64>, &'static str, Vec<(&'static s
 /// and the least angle from the run.
 pub(super) type Steady = ([f64; 3], f64, f64, f64, bool, f64);
 
-/// A report: the kind of the top, its lines, and steady rotations.
-pub(super) type Report = (&'static str, Vec<Line>, Vec<Steady>);
+/// A report: the kind of the top, its lines, steady rotations, and all as a table.
+pub(super) type Report = (&'static str, Vec<Line>, Vec<Steady>, String);
 
 /// Returns the values of a quantity of a top at states with attitudes, one after the other, and how many a state has.
 ///
@@ -58,7 +58,7 @@ pub(super) fn report(
     let start = model.start(given).map_err(refused)?;
     let pace = Pace { schedule, every: 1 };
     let run = Experiment { start, method, pace, attitude: true, model };
-    let report = py.detach(|| TopReport::new(&run)).map_err(|error| match error {
+    let report = py.detach(|| TopReport::new(&run, None)).map_err(|error| match error {
         RunFailure::Integration { .. } | RunFailure::NoValue { .. } => failed(error),
         error => refused(error),
     })?;
@@ -66,9 +66,11 @@ pub(super) fn report(
         (line.name, line.measured.filter(|value| value.is_finite()), line.unit, line.formulas)
     };
     let steady = |one: SteadyRotation| {
-        let vertical = model.axes.from_principal(&one.vertical).into();
-        (vertical, one.rate, one.energy, one.growth, one.is_circle, one.nearest)
+        (one.vertical.into(), one.rate, one.energy, one.growth, one.is_circle, one.nearest)
     };
+    let text = report.to_string();
     let TopReport { kind, lines, steady: rotations, .. } = report;
-    Ok((kind, lines.into_iter().map(line).collect(), rotations.into_iter().map(steady).collect()))
+    let (lines, rotations) =
+        (lines.into_iter().map(line).collect(), rotations.into_iter().map(steady).collect());
+    Ok((kind, lines, rotations, text))
 }

@@ -30,9 +30,7 @@ impl AxisFrame {
     pub(super) fn new(top: HeavyTop, start: &Se3Dual, attitude: &Quaternion) -> Self {
         let is_free = top.weight_moment() == 0.0;
         let axis = if is_free { free_axis(&top, start) } else { top.center_of_mass() };
-        let other = Vector3::ith((axis.imax() + 1) % 3, 1.0);
-        let first = (other - axis * axis.dot(&other)).normalize();
-        let frame = [first, axis.cross(&first), axis];
+        let frame = frame_about(axis);
         let upright = match is_free {
             true => attitude_of_vertical(&attitude.rotate(&start.0.0)),
             false => Quaternion::one(),
@@ -68,6 +66,14 @@ impl AxisFrame {
             spin: x.atan2(y),
         }
     }
+}
+
+/// Returns a right-handed frame whose third vector is an axis: e₁, e₂ and e₃ about e₃.
+pub(super) fn frame_about(axis: Vector3<f64>) -> [Vector3<f64>; 3] {
+    // The basis vector that is furthest from the axis.
+    let other = Vector3::ith(axis.iamin(), 1.0);
+    let first = (other - axis * axis.dot(&other)).normalize();
+    [first, axis.cross(&first), axis]
 }
 
 /// Returns the principal axis about which a body without weight goes round: that of the moment which differs from two equal

@@ -71,7 +71,7 @@ struct Record {
     inclination: Option<[f64; 2]>,
     /// The first and the last highest point, and how many there are.
     highest: [Option<Moment>; 2],
-    count: u32,
+    count: u64,
     /// The first and the last sample.
     ends: [Option<Moment>; 2],
 }
@@ -117,7 +117,7 @@ impl Record {
         };
         let period = match self.highest {
             [Some(from), Some(to)] if nods => {
-                Some((to.time - from.time).abs() / f64::from(self.count - 1))
+                Some((to.time - from.time).abs() / (self.count - 1) as f64)
             }
             _ => None,
         };

@@ -5,4 +5,5 @@ pub(crate) mod steady_rotation;
 pub(crate) mod top_report;
 mod axis_frame;
 mod measured_motion;
+mod report_text;
 mod textbook;

@@ -1,5 +1,6 @@
 //! The steady rotations of a top about the vertical: [`SteadyRotation`].
 
+use super::axis_frame::frame_about;
 use heavytop::{EnergyLevel, HeavyTop};
 use lie_poisson::euclidean_norm;
 use nalgebra::{Matrix2, Matrix3, Matrix6, Vector2, Vector3, Vector6};
@@ -65,9 +66,8 @@ impl SteadyRotation {
             let is_circle = across.is_some_and(|across| euclidean_norm(&across) > SAME);
             if let (Some(axis), true) = (symmetry, is_circle) {
                 // One point stands for the circle.
-                let first = Vector3::ith((axis.imax() + 1) % 3, 1.0);
-                vertical = axis * axis.dot(&vertical)
-                    + first * euclidean_norm(&(vertical - axis * axis.dot(&vertical)));
+                let ([first, ..], along) = (frame_about(axis), axis * axis.dot(&vertical));
+                vertical = along + first * euclidean_norm(&(vertical - along));
             }
             if found.iter().any(|other| (other.vertical - vertical).norm() < SAME) {
                 continue;
@@ -139,8 +139,7 @@ impl Search<'_> {
     fn critical_point(&self, mut gamma: Vector3<f64>) -> Option<Vector3<f64>> {
         for _ in 0..MOST_STEPS {
             let (gradient, size, second) = self.derivatives(&gamma);
-            let first = gamma.cross(&Vector3::ith(gamma.iamin(), 1.0)).normalize();
-            let frame = [first, gamma.cross(&first)];
+            let frame = frame_about(gamma);
             let slope = Vector2::from_fn(|i, _| frame[i].dot(&gradient) / size);
             if slope.norm() <= ROUNDING {
                 return Some(gamma);

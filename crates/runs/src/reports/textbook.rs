@@ -12,7 +12,7 @@ use lie_poisson::{Se3Dual, euclidean_norm};
 /// The part of the momentum along the middle axis from which a body without weight flips.
 const FLIPPING: f64 = 0.9;
 
-/// Returns the lines about Lagrange's top, whose centre of mass is above the support on e₃ where the top is upright.
+/// Returns the lines about Lagrange's top, whose centre of mass is on e₃, on the side of its head.
 pub(super) fn of_lagrange(
     top: &HeavyTop,
     start: &Se3Dual,

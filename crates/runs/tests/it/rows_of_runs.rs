@@ -5,9 +5,12 @@ use collective_integrators::diagnostics::SystemScales;
 use collective_integrators::{AnyIntegrator, AnyState, AnyTangents, Start};
 use core::ops::Range;
 use heavytop::methods::Method;
+use heavytop::{EulerAngles, PrincipalAxes};
+use lie_poisson::{Quaternion, Se3Dual};
 use lie_poisson_formula_systems::{FormulaSystem, SystemKind};
 use lie_poisson_formulas::Parameters;
-use lie_poisson_runs::{Conserved, Experiment, Model, RunFailure};
+use lie_poisson_runs::{Conserved, Experiment, Model, RunFailure, TopInAxes};
+use nalgebra::{Matrix3, Vector3};
 
 /// Returns the rows that a run writes.
 fn rows(run: &Experiment) -> Vec<Vec<f64>> {
@@ -43,6 +46,52 @@ fn a_top_and_its_formula_have_the_same_rows() {
         }
         // Control: the motion is far from its start.
         assert!((as_top[4][1] - START[0]).abs() > 0.01);
+    }
+}
+
+/// A run from an attitude has it in its first row, in the axes of the users, and turns about the vertical as a whole; what is
+/// drawn in the principal axes begins there, too.
+#[test]
+fn a_run_begins_with_the_attitude_that_is_given() {
+    let inertia = Matrix3::new(2.0, 0.3, 0.1, 0.3, 1.5, -0.2, 0.1, -0.2, 1.2);
+    let skew = PrincipalAxes::of(&inertia).unwrap();
+    for axes in [PrincipalAxes::aligned(top().inertia()), skew] {
+        let initial = EulerAngles { precession: 2.0, nutation: 0.9, spin: -1.3 }.attitude();
+        let given =
+            Se3Dual::new(Vector3::new(0.4, -0.8, 1.6), initial.conjugate().rotate(&Vector3::z()));
+        let start = TopInAxes::coordinates(&axes.state_to_principal(&given)).to_vec();
+        let model = |initial_attitude| TopInAxes { top: top(), axes, initial_attitude };
+        let run = |attitude| Experiment {
+            start: start.clone(),
+            model: model(attitude),
+            attitude: true,
+            ..experiment("collective", "gauss-4", pace(0.1, 2.0, 10))
+        };
+        let attitudes = |run: &Experiment| -> Vec<Quaternion> {
+            let of = |row: &Vec<f64>| {
+                let [scalar, x, y, z] = *row.last_chunk::<4>().unwrap();
+                Quaternion { scalar, vector: Vector3::new(x, y, z) }
+            };
+            rows(run).iter().map(of).collect()
+        };
+        let distance = |one: &Quaternion, other: &Quaternion| {
+            let turn = |v: Vector3<f64>| (one.rotate(&v) - other.rotate(&v)).norm();
+            turn(Vector3::x()) + turn(Vector3::y())
+        };
+        let (own, shortest) = (attitudes(&run(Some(initial))), attitudes(&run(None)));
+        assert!(distance(&own[0], &initial) < 1e-14);
+        let turn = own[0] * shortest[0].conjugate();
+        for (own, shortest) in own.iter().zip(&shortest) {
+            assert!(distance(own, &(turn * *shortest)) < 1e-13);
+            assert!(distance(own, shortest) > 0.1);
+        }
+        let mut first = None;
+        let visit = |_, _, _: &Se3Dual, attitude: Option<&Quaternion>| -> Result<(), RunFailure> {
+            first = first.or(attitude.copied());
+            Ok(())
+        };
+        run(Some(initial)).run(visit).unwrap();
+        assert!(distance(&axes.attitude_from_principal(&first.unwrap()), &initial) < 1e-14);
     }
 }
 

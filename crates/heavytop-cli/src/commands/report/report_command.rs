@@ -31,6 +31,6 @@ pub fn report(config: &Config) -> Result<ReportTable, Error> {
     let run = config.experiment()?;
     let accuracy = run.accuracy(&|| true)?;
     accuracy_warning(&accuracy).into_iter().for_each(warn);
-    let report = TopReport::new(&run)?;
-    Ok(ReportTable::new(&run, &report, config.known_length(), accuracy.error))
+    let report = TopReport::new(&run, config.known_length())?;
+    Ok(ReportTable::new(&run, &report, accuracy.error))
 }

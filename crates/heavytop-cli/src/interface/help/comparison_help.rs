@@ -63,7 +63,7 @@ about the angular momentum L: the one about which the body goes round. Means are
 first highest point of the line to the last one; where there are no two, or θ is constant, over the
 whole run.
 
-Formulas stand where a textbook has them: for Lagrange's top (I1 = I2, centre of mass on e3) the
+Formulas stand where a textbook has them: for a top with an axis of symmetry (Lagrange's) the
 precession and nutation of a fast top, and the closed form by an elliptic integral; for a free body
 the precession about L, the period of L in the body, and the time from flip to flip.
 
