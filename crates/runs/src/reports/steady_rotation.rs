@@ -3,7 +3,7 @@
 use super::axis_frame::frame_about;
 use heavytop::{EnergyLevel, HeavyTop};
 use lie_poisson::euclidean_norm;
-use nalgebra::{Matrix2, Matrix3, Matrix6, Vector2, Vector3, Vector6};
+use nalgebra::{Complex, Matrix2, Matrix3, Matrix6, Vector2, Vector3, Vector6};
 
 /// The number of directions from which steady rotations are searched.
 const STARTS: usize = 256;
@@ -149,6 +149,10 @@ impl Search<'_> {
                 let own = if i == j { radial } else { 0.0 };
                 (frame[i].dot(&(second * frame[j])) - own) / size
             });
+            // The iteration of nalgebra does not end with what is no number.
+            if !(slope.norm() + curvature.norm()).is_finite() {
+                return None;
+            }
             let eigen = curvature.symmetric_eigen();
             // Along a circle of critical points there is no slope to follow.
             let along = eigen.eigenvectors.transpose() * slope;
@@ -159,9 +163,6 @@ impl Search<'_> {
             let step = eigen.eigenvectors * Vector2::new(part(0), part(1));
             let step = step * (0.5 / step.norm().max(0.5));
             gamma = (gamma + frame[0] * step.x + frame[1] * step.y).normalize();
-            if !gamma.x.is_finite() {
-                return None;
-            }
         }
         None
     }
@@ -169,7 +170,9 @@ impl Search<'_> {
 
 /// Returns the rate at which small disturbances of a steady rotation grow, 1/s.
 ///
-/// They obey dδΠ/dt = δΠ × Ω + Π × I⁻¹δΠ + m g l δΓ × c and dδΓ/dt = δΓ × Ω + Γ × I⁻¹δΠ, with Ω = ωΓ and Π = IΩ.
+/// They obey dδΠ/dt = δΠ × Ω + Π × I⁻¹δΠ + m g l δΓ × c and dδΓ/dt = δΓ × Ω + Γ × I⁻¹δΠ, with Ω = ωΓ and Π = IΩ. Two
+/// eigenvalues of this Hamiltonian matrix A are 0, for the Casimirs, and the others are ±√x and ±√y, with x + y = tr A²/2 and
+/// x² + y² = tr A⁴/2.
 fn growth(top: &HeavyTop, vertical: &Vector3<f64>, rate: f64) -> f64 {
     let (moments, weight) = (top.inertia(), top.weight_moment());
     // In units of the largest moment and of the fastest rate all entries are of the order of 1.
@@ -190,8 +193,12 @@ fn growth(top: &HeavyTop, vertical: &Vector3<f64>, rate: f64) -> f64 {
         Vector6::new(first.x, first.y, first.z, second.x, second.y, second.z)
     };
     let columns: [Vector6<f64>; 6] = core::array::from_fn(|i| disturbed(Vector6::ith(i, 1.0)));
-    let eigenvalues = Matrix6::from_columns(&columns).complex_eigenvalues();
-    let largest = eigenvalues.iter().map(|value| value.norm()).fold(0.0, f64::max);
-    let growing = eigenvalues.iter().map(|value| value.re).fold(0.0, f64::max);
+    let squared = Matrix6::from_columns(&columns).pow(2);
+    let (sum, squares) = (squared.trace() / 2.0, squared.pow(2).trace() / 2.0);
+    // x and y are sum/2 ± half the root of what follows.
+    let difference = Complex::from(2.0 * squares - sum * sum).sqrt();
+    let rates = [difference, -difference].map(|part| ((part + sum) / 2.0).sqrt());
+    let largest = rates[0].norm().max(rates[1].norm());
+    let growing = rates[0].re.max(rates[1].re);
     if growing > IMAGINARY * largest { growing * fastest } else { 0.0 }
 }
