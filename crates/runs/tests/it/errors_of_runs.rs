@@ -64,7 +64,7 @@ fn lost() -> RunFailure {
 /// Searches the zeros of a function that has no value later.
 fn no_event() -> RunFailure {
     let names = Vocabulary::of(&Se3::default(), &Parameters::new()).unwrap();
-    let functions = vec![Formula::new("ln(2.5 - Pi1)", &names).unwrap()];
+    let functions = vec![Formula::new("ln(Gamma1*Gamma1 - 0.3)", &names).unwrap()];
     let events = EventFunctions { functions, direction: Direction::Both };
     let run = experiment("collective", "gauss-4", pace(0.1, 10.0, 1));
     let going = |_, _: &[f64]| Ok::<_, RunFailure>(ControlFlow::Continue(()));
@@ -124,7 +124,7 @@ fn every_error_names_what_is_wrong() {
         (schedule(0.03, 1.0), "the nearest ends are 0.99 and 1.02"),
         (followed(&failing, None), "collective, lobatto-iiia-iiib-4"),
         (followed(&no_value, None), "at t = "),
-        (no_event(), "ln(2.5 - Pi1) has no value at t = "),
+        (no_event(), "ln(Gamma1*Gamma1 - 0.3) has no value at t = "),
         (lost(), "tangent vector"),
         (early, "more than 10, got 10"),
         (timed(fast), "Gauss-12"),
