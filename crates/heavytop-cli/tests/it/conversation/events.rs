@@ -21,7 +21,7 @@ fn pendulum(angle: f64) -> String {
 fn half_period(angle: f64) -> f64 {
     let (mut a, mut b) = (1.0, (angle / 2.0).cos());
     for _ in 0..8 {
-        (a, b) = (0.5 * (a + b), (a * b as f64).sqrt());
+        (a, b) = (0.5 * (a + b), f64::sqrt(a * b));
     }
     std::f64::consts::PI / (a * 2.0_f64.sqrt())
 }
