@@ -3,8 +3,9 @@
     python docs/gallery/make.py                  # all pictures
     python docs/gallery/make.py dzhanibekov toda # those with these names
 
-An entry is a section of a page with a picture. Its `toml` block is saved as run.toml in a new folder, its `python` block is
-run there after the first one of the page, and then its `sh` block. The one PNG that they leave is the picture. If a check of
+An entry is a section of a page with a picture and a `python` block. Its `toml` block is saved as run.toml in a new folder, its
+`python` block is run there after that of the head of the page, and then its `sh` block. The one PNG that they leave is the
+picture; a section whose picture is that of another one leaves none. If a check of
 the `python` block fails, or its run is not the one of the commands, no picture is written.
 
 Needs the package heavytop, NumPy, SciPy and Matplotlib, and the program heavytop: that of the environment variable
@@ -52,7 +53,7 @@ def entries(page: pathlib.Path) -> list[Entry]:
     start, *sections = re.split(r"^## ", page.read_text("utf-8"), flags=re.MULTILINE)
     found = []
     for section in sections:
-        pictures = re.findall(r"!\[[^]]*\]\(([^)]*gallery/[^)]*\.png)\)", section)
+        pictures = re.findall(r"!\[[^]]*\]\(([^)]*\.png)\)", section)
         if pictures and blocks(section, "python"):
             python = blocks(start, "python") + blocks(section, "python")
             found.append(Entry((page.parent / pictures[0]).resolve(), blocks(section, "toml"), blocks(section, "sh"), python))
@@ -86,8 +87,9 @@ def draw(entry: Entry, program: str) -> None:
             subprocess.run(["sh", "-e", "-c", entry.sh], check=True, env={**os.environ, "PATH": path})
         compare(defined.get("run"), folder / "run.npz")
         pictures = list(folder.rglob("*.png"))
-        assert len(pictures) == 1, f"an entry must leave one picture, and not {[picture.name for picture in pictures]}"
-        entry.picture.write_bytes(pictures[0].read_bytes())
+        assert len(pictures) == 1 or not (pictures or entry.sh), f"one picture is needed, and there are {pictures}"
+        for picture in pictures:
+            entry.picture.write_bytes(picture.read_bytes())
 
 
 def run_python(entry: Entry) -> dict[str, Any]:

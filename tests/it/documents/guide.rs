@@ -61,11 +61,11 @@ fn every_link_leads_to_a_file() -> Result<(), Box<dyn Error>> {
 #[test]
 fn every_chapter_is_in_the_book_and_runs() -> Result<(), Box<dyn Error>> {
     let book = targets(&fs::read_to_string(root().join("docs/SUMMARY.md"))?);
-    // The chapter in Python runs with the tests of the Python package.
+    // The chapters in Python run with the tests of the Python package.
     let tests = fs::read_to_string(root().join("tests/src/lib.rs"))?
         + &fs::read_to_string(root().join("crates/python/tests/test_documentation.py"))?;
     let chapters = pages(&root().join("docs/guide"))?;
-    assert_eq!(chapters.len(), 13);
+    assert_eq!(chapters.len(), 14);
     for chapter in chapters {
         let name = chapter.file_name().ok_or("a chapter without a name")?.to_string_lossy();
         assert!(book.contains(&format!("guide/{name}")), "{name} is not in the book");
