@@ -64,7 +64,8 @@ impl SamplePicture for FluidMap<'_> {
         let inside = cells.iter().flatten();
         // Equal areas of the map are equal areas of the sphere.
         let count = inside.clone().count().max(1);
-        self.mean_square = self.mean_square.max(inside.clone().map(|x| x * x).sum::<f64>() / count as f64);
+        self.mean_square =
+            self.mean_square.max(inside.clone().map(|x| x * x).sum::<f64>() / count as f64);
         self.largest = inside.fold(self.largest, |most, x| most.max(x.abs()));
         self.last = (sample.to_vec(), cells);
     }
