@@ -2,10 +2,10 @@
 
 use super::refused;
 use lie_poisson::{
-    Cocycle, InfinitesimalAdjoint, StructureConstants, StructureEntry, StructureTable,
+    Cocycle, InfinitesimalAdjoint, InnerProduct, StructureConstants, StructureEntry, StructureTable,
 };
 
-/// Returns the errors of tables of constants and of linear maps that are what they should not be.
+/// Returns the errors of tables of constants, of linear maps and of matrices that are what they should not be.
 pub fn errors() -> Vec<String> {
     let heisenberg = |i, j, k| match (i, j, k) {
         (0, 1, 2) => 1.0,
@@ -27,5 +27,8 @@ pub fn errors() -> Vec<String> {
         refused(StructureConstants::<3>::new(broken)),
         refused(Cocycle::new(adjoint(), identity)),
         refused(Cocycle::new(adjoint(), |_, _| f64::INFINITY)),
+        refused(InnerProduct::new(&[1.0, 0.0])),
+        refused(InnerProduct::new(&[1.0, 0.0, 2.0, 9.0])),
+        refused(InnerProduct::new(&[1.0, 0.0, 0.0, -1.0])),
     ]
 }
