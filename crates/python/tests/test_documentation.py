@@ -18,13 +18,14 @@ def test_examples_run(name):
 
 
 PACKAGE = pathlib.Path(__file__).parent.parent
-PAGES = [PACKAGE / "README.md", PACKAGE.parent.parent / "docs/guide/python.md"]
+GUIDE = sorted((PACKAGE.parent.parent / "docs/guide").glob("*.md"))
+PAGES = [PACKAGE / "README.md"] + [page for page in GUIDE if ">>> " in page.read_text()]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_pages_run(page):
     found = doctest.testfile(str(page), module_relative=False, optionflags=doctest.ELLIPSIS)
-    assert found.failed == 0 and found.attempted > 5
+    assert found.failed == 0 and found.attempted > 3
 
 
 def test_every_public_name_has_documentation():
