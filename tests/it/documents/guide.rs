@@ -1,9 +1,11 @@
-//! The guide: every link of a page leads to a file, every formula is LaTeX, and every chapter is in the book and runs as
-//! a test.
+//! The guide: every link of a page leads to a file, every formula is LaTeX, all tabs are ended, and every chapter is in
+//! the book and runs as a test.
 
-// The program that builds the guide, and is no member of the workspace, typesets the formulas.
+// The program that builds the guide, and is no member of the workspace, typesets the formulas and makes the tabs.
 #[path = "../../../docs/guide/builder/src/formulas.rs"]
 mod formulas;
+#[path = "../../../docs/guide/builder/src/tabs.rs"]
+mod tabs;
 
 use pulldown_cmark::{Event, Parser, Tag};
 use std::error::Error;
@@ -79,13 +81,15 @@ fn every_chapter_is_in_the_book_and_runs() -> Result<(), Box<dyn Error>> {
 }
 
 #[test]
-fn every_formula_is_latex() -> Result<(), Box<dyn Error>> {
-    let mut count = 0;
+fn every_formula_is_latex_and_all_tabs_are_ended() -> Result<(), Box<dyn Error>> {
+    let (mut typeset, mut labels) = (0, 0);
     for page in pages(&root().join("docs"))? {
-        let typeset = formulas::typeset(&fs::read_to_string(&page)?);
-        let typeset = typeset.map_err(|message| format!("{}: {message}", page.display()))?;
-        count += typeset.matches("<math").count();
+        let text = fs::read_to_string(&page)?;
+        let rendered = formulas::typeset(&text).and_then(|text| tabs::tabbed(&text, "a chapter"));
+        let rendered = rendered.map_err(|message| format!("{}: {message}", page.display()))?;
+        typeset += rendered.matches("<math").count();
+        labels += rendered.matches("<label").count();
     }
-    assert!(count > 8, "{count}");
+    assert!(typeset > 8 && labels > 4, "{typeset} {labels}");
     Ok(())
 }
