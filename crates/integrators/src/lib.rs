@@ -31,6 +31,7 @@
 //! | when you need | use |
 //! |---|---|
 //! | a Poisson integrator on 𝔤∗ from a realisation M: P → 𝔤∗ | [`Collective`] |
+//! | the same for a field that depends on time, or loses energy on its orbit | [`Driven`]; [`DrivenField`] on the equations |
 //! | the same for N copies of M, with N known when the program runs | [`CollectiveSites`]; [`LiftFreeSites`] without a lift |
 //! | a collective integrator that computes on 𝔤∗ itself | [`LiftFree`] |
 //! | a scheme applied directly to the equations | [`Direct`] |
@@ -104,6 +105,7 @@ mod natural_scales;
 mod stages;
 mod schemes;
 mod integrators;
+mod open_systems;
 mod observed;
 mod splittings;
 mod runs;
@@ -148,6 +150,8 @@ pub use integrators::trajectories::integrator::{Integrator, SampleOf, Trajectory
 pub use integrators::trajectories::sample::Sample;
 pub use integrators::trajectories::start::Start;
 pub use observed::Observed;
+pub use open_systems::driven::Driven;
+pub use open_systems::driven_field::DrivenField;
 pub use runs::crossing::Direction;
 pub use runs::dense_output::{DenseOutput, DenseOutputError};
 pub use runs::event_search::EventSearch;

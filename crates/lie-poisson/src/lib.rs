@@ -49,6 +49,9 @@
 //! | a Hamiltonian from one formula, for `f64` | [`from_closure`] |
 //! | a Hamiltonian from one formula, for every scalar | [`Energy`], wrapped in [`Automatic`] |
 //! | a Hamiltonian with an explicit formula for its differential | [`Hamiltonian`], [`from_closures`] |
+//! | a Hamiltonian that depends on time | [`TimeDependent`] of a Hamiltonian on [`InTime<P>`](InTime) |
+//! | any field ξ(μ, t) whose motion stays on coadjoint orbits, such as a control | [`OrbitField`] |
+//! | dissipation on coadjoint orbits | [`DoubleBracket`], with an [`InnerProduct`] |
 //! | maps from 𝔤 to G other than exp | [`Cayley`] |
 //! | tests of your own types against the axioms | the module `laws` (feature `laws`) |
 //!
@@ -84,6 +87,7 @@ mod groups;
 mod representations;
 mod cayley;
 mod brackets;
+mod orbits;
 
 #[cfg(feature = "laws")]
 pub mod laws;
@@ -133,6 +137,10 @@ pub use brackets::hamiltonian::{
 pub use brackets::poisson::{LiePoisson, PoissonSpace, Sign};
 pub use brackets::product_space::{PowerSpace, ProductSpace, from_parts, parts};
 pub use brackets::sites_hamiltonian::SitesHamiltonian;
+pub use orbits::double_bracket::DoubleBracket;
+pub use orbits::inner_product::{InnerProduct, InnerProductError};
+pub use orbits::orbit_field::{Autonomous, OrbitField, TimeDependent};
+pub use orbits::time_axis::{InTime, TimeAxis};
 
 pub use generic_scalars;
 pub use nalgebra;

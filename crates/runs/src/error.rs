@@ -128,6 +128,14 @@ pub enum RunFailure {
         /// The quantity, the part of it without a value, and the state.
         reason: String,
     },
+    /// A function whose zeros are searched along a run has no value.
+    #[error("the function {function} has no value at t = {time}")]
+    NoEvent {
+        /// The function.
+        function: String,
+        /// The time, s.
+        time: f64,
+    },
     /// The tangent vectors have lost their directions.
     #[error(transparent)]
     Tangent(VariationalError),

@@ -35,6 +35,7 @@
 //! | the model of a system by formula | [`FormulaSystem`](lie_poisson_formula_systems::FormulaSystem) |
 //! | a lattice of spins, a fluid on the sphere, any number of vortices, by name | [`ArrayKind`], [`ArraySystem`], [`Arguments`] |
 //! | the rows of a run one by one | [`Experiment`] |
+//! | where functions of the momentum are zero along a run | [`EventFunctions`] |
 //! | equal steps to an end, and which of them are written | [`Schedule`], [`Pace`] |
 //! | how tangent vectors grow: Lyapunov exponent, MEGNO, alignment | [`TangentGrowth`] |
 //! | to refuse steps that turn a motion absurdly far | [`step_angle`] |
@@ -74,6 +75,7 @@ pub use models::top_quantity::TopQuantity;
 pub use reports::report_line::ReportLine;
 pub use reports::steady_rotation::SteadyRotation;
 pub use reports::top_report::TopReport;
+pub use runs::event_functions::EventFunctions;
 pub use runs::experiment::Experiment;
 pub use runs::moment::{Moment, Saved};
 pub use runs::pace::Pace;

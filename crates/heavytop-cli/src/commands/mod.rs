@@ -4,6 +4,7 @@ pub mod simulate;
 pub mod reproduce;
 pub mod compare;
 pub mod report;
+pub mod events;
 pub mod section;
 pub mod animate;
 pub mod bench;

@@ -1,5 +1,6 @@
 //! The tables of a configuration file.
 
+use super::events_config::EventsConfig;
 use super::integrator_config::{Integration, IntegratorConfig};
 use super::notes::Notes;
 use super::output_config::OutputConfig;
@@ -40,6 +41,9 @@ pub struct Config {
     pub integrator: IntegratorConfig,
     /// The table `[output]`: what is written.
     pub output: OutputConfig,
+    /// The table `[events]`: whose zeros `events` finds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub events: Option<EventsConfig>,
     /// The table `[section]`; without it, the section with the energy and vertical momentum of `[initial]`.
     pub section: Option<SectionConfig>,
     /// The table `[sweep]`; without it, for a top, a small sweep over angular momenta.

@@ -99,10 +99,13 @@ impl SectionConfig {
 const DIRECTIONS: &[(&str, Direction)] =
     &[("up", Direction::Up), ("down", Direction::Down), ("both", Direction::Both)];
 
-fn direction<'de, D: Deserializer<'de>>(from: D) -> Result<Direction, D::Error> {
+pub(super) fn direction<'de, D: Deserializer<'de>>(from: D) -> Result<Direction, D::Error> {
     by_name("direction", DIRECTIONS, &String::deserialize(from)?).map_err(D::Error::custom)
 }
 
-fn direction_name<S: Serializer>(direction: &Direction, to: S) -> Result<S::Ok, S::Error> {
+pub(super) fn direction_name<S: Serializer>(
+    direction: &Direction,
+    to: S,
+) -> Result<S::Ok, S::Error> {
     to.serialize_str(name_of(DIRECTIONS, *direction))
 }

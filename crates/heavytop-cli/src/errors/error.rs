@@ -11,6 +11,7 @@ use collective_integrators::{EventError, RunError, VariationalError};
 use heavytop::methods::{Formulation, MethodError};
 use heavytop::{SectionError, TopError};
 use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_formulas::FormulaError;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -234,6 +235,12 @@ pub enum Error {
         /// The path of the output.
         path: PathBuf,
     },
+    /// The output's name does not end in `.csv`.
+    #[error("cannot write {}: the name must end in .csv", path.display())]
+    NoTable {
+        /// The path of the output.
+        path: PathBuf,
+    },
     /// The output's name does not end in `.html`.
     #[error("cannot write {}: the name must end in .html", path.display())]
     NoPage {
@@ -324,6 +331,17 @@ pub enum Error {
         start: usize,
         /// The step, the time and the reason.
         source: EventError,
+    },
+    /// There is no function whose zeros are to be found.
+    #[error("[events] functions is missing: formulas whose zeros are found, such as [\"Gamma3\"]")]
+    NoEvents,
+    /// A function whose zeros are to be found is no formula.
+    #[error("[events] functions[{number}]")]
+    EventFunction {
+        /// The number of the function, from 0.
+        number: usize,
+        /// What is wrong with it.
+        source: Box<FormulaError>,
     },
     /// The sweep that the configuration asks for does not exist.
     #[error("[sweep]")]

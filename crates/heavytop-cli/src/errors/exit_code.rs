@@ -1,6 +1,7 @@
 //! The exit codes of the program.
 
 use super::error::Error;
+use lie_poisson_runs::RunFailure;
 use std::io;
 
 impl Error {
@@ -17,13 +18,16 @@ impl Error {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
+            // At the start nothing has been computed.
+            Self::Run(RunFailure::NoEvent { time: 0.0, .. }) => 2,
             Self::Reference { .. }
             | Self::Write { .. }
             | Self::NoValue { .. }
             | Self::Run(
-                lie_poisson_runs::RunFailure::Integration { .. }
-                | lie_poisson_runs::RunFailure::NoValue { .. }
-                | lie_poisson_runs::RunFailure::Timed { .. },
+                RunFailure::Integration { .. }
+                | RunFailure::NoValue { .. }
+                | RunFailure::NoEvent { .. }
+                | RunFailure::Timed { .. },
             )
             | Self::Crossing { .. }
             | Self::AllFailed { .. }

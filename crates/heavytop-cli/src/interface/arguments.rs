@@ -3,9 +3,10 @@
 use super::beginnings::map_tables::MapTable;
 use super::help::{
     ANIMATE, ANIMATE_EXAMPLES, BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES,
-    COMPLETIONS_EXAMPLES, EXIT_CODES, EXPORT, EXPORT_EXAMPLES, INIT_EXAMPLES, MAN_EXAMPLES, PLOT,
-    PLOT_EXAMPLES, REPORT, REPORT_EXAMPLES, REPRODUCE, REPRODUCE_EXAMPLES, SECTION,
-    SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES, SWEEP, SWEEP_EXAMPLES,
+    COMPLETIONS_EXAMPLES, EVENTS, EVENTS_EXAMPLES, EXIT_CODES, EXPORT, EXPORT_EXAMPLES,
+    INIT_EXAMPLES, MAN_EXAMPLES, PLOT, PLOT_EXAMPLES, REPORT, REPORT_EXAMPLES, REPRODUCE,
+    REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES, SWEEP,
+    SWEEP_EXAMPLES,
 };
 use crate::commands::export::ExportFormat;
 use crate::configuration::{Config, Notes, Preset};
@@ -106,6 +107,17 @@ pub(super) enum Command {
     Report {
         #[command(flatten)]
         top: Top,
+    },
+    /// Find when functions of the state pass zero along a run.
+    #[command(long_about = EVENTS, after_long_help = EVENTS_EXAMPLES)]
+    Events {
+        #[command(flatten)]
+        top: Top,
+        /// The table to write; its name ends in .csv; - is standard output.
+        #[arg(long, value_name = "FILE")]
+        out: PathBuf,
+        #[command(flatten)]
+        replacing: Replacing,
     },
     /// Draw a Poincaré section of a top.
     #[command(long_about = SECTION, after_long_help = SECTION_EXAMPLES)]

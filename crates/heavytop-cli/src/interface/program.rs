@@ -11,6 +11,7 @@ use super::suggested_command::suggest_command;
 use crate::commands::animate::animate;
 use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
+use crate::commands::events::events;
 use crate::commands::export::export;
 use crate::commands::plot::{PlotOptions, plot};
 use crate::commands::report::report;
@@ -161,6 +162,9 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
         Command::Report { top } => top
             .noted(Replacing { force: false }, |config, _| report(&config))
             .and_then(|(done, notes)| closing.print(&done, &notes)),
+        Command::Events { top, out, replacing } => top
+            .noted(replacing, |config, safeguard| events(&config, &out, &watch(quiet, safeguard)))
+            .and_then(|(done, notes)| closing.end(&done, &notes, &out)),
         Command::Init { file, preset, map, kind, replacing } => match kind {
             Some(kind) => init_system(&kind, file.as_deref(), replacing.force),
             None => init(preset, map, file.as_deref(), replacing.force),

@@ -38,6 +38,7 @@ fn formula_error(error: &Error) -> Option<&FormulaError> {
             SystemTableError::Formula(error) => error,
             _ => return None,
         },
+        Error::EventFunction { source, .. } => return Some(source),
         Error::SystemSection(error) => error,
         _ => return None,
     };

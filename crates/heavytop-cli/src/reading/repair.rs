@@ -85,6 +85,10 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
         Error::System(system) => of_system(system),
         Error::Section(section) => of_section(section),
         Error::SystemSection(error) => of_system_section(error),
+        Error::NoEvents => vec![repair("events", "add the key".into())],
+        Error::EventFunction { number, .. } => {
+            vec![repair(&format!("events.functions[{number}]"), String::new())]
+        }
         Error::UnknownSurface(_) => vec![repair("section.surface", String::new())],
         Error::NoSurface => vec![repair("section", "add the key".into())],
         Error::SectionKey { key, .. } => {

@@ -73,8 +73,13 @@ impl<S: Equivariant, M: PoissonMap, H> Collective<S, M, H> {
     where
         H: Hamiltonian<M::Target>,
     {
+        Self::of_field(scheme, map, hamiltonian)
+    }
+
+    /// Creates an integrator whose field is of any kind.
+    pub(crate) fn of_field(scheme: S, map: M, field: H) -> Self {
         let moves = Some(moves_along(&map));
-        Self { scheme, system: CollectiveHamiltonian::new(map, hamiltonian), moves }
+        Self { scheme, system: CollectiveHamiltonian::new(map, field), moves }
     }
 }
 
@@ -193,11 +198,35 @@ pub struct CollectiveWorkspace<W, V: Vector> {
     pinned: bool,
 }
 
+impl<W, V: Vector> CollectiveWorkspace<W, V> {
+    /// Keeps z where the scheme takes it on its fibre.
+    pub(crate) const fn pin(&mut self) {
+        self.pinned = true;
+    }
+}
+
 /// The storage of a step of a [`Collective`] integrator with scheme `S` and map `M`.
-type SpaceOf<S, M, T> =
+pub(crate) type SpaceOf<S, M, T> =
     CollectiveWorkspace<<S as Scheme>::Workspace<SourcePoint<M, T>>, SourcePoint<M, T>>;
 
 impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
+    /// Returns the storage of the steps, whatever the field.
+    pub(crate) fn workspace_of<T: Real>(&self) -> SpaceOf<S, M, T> {
+        CollectiveWorkspace {
+            scheme: self.scheme.workspace(),
+            threshold: RecentringThreshold::default(),
+            recentring: RecentringWorkspace::new(self.moves.unwrap_or_default()),
+            pinned: false,
+        }
+    }
+
+    /// Forgets what the steps have learned of the run before.
+    #[cfg_attr(optimised, inline(always))]
+    pub(crate) fn forget_of<T: Real>(&self, workspace: &mut SpaceOf<S, M, T>) {
+        self.scheme.forget(&mut workspace.scheme);
+        workspace.threshold = RecentringThreshold::default();
+    }
+
     /// Returns the point of the fibre through z from which a step starts.
     ///
     /// It is z itself, or a point nearer to the origin if a run begins with a z far from the origin, or if z has grown.
@@ -271,6 +300,29 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
         let Pair(change, lost) = exact_sum(&moved, &change);
         Ok(Step { point: Pair(change, rest + below + lost), iterations })
     }
+
+    /// Returns z + e + gauge(z + e), to first order in e.
+    ///
+    /// The derivative of a gauge, such as that of a power of two, may have no meaning except along the fibre. M is
+    /// constant there.
+    #[cfg_attr(optimised, inline(always))]
+    pub(crate) fn gauged_of<T: Real>(
+        &self,
+        state: Pair<SourcePoint<M, T>, SourcePoint<M, T>>,
+        workspace: &SpaceOf<S, M, T>,
+    ) -> Pair<SourcePoint<M, T>, SourcePoint<M, T>> {
+        let Pair(z, carry) = state;
+        let slide = self.gauge::<T>(&z, workspace.pinned);
+        let still = slide.max_norm().at_most(T::zero());
+        if still.all() {
+            return state;
+        }
+        let slides: SourcePoint<M, DualNumber<T>> =
+            self.gauge::<DualNumber<T>>(&seed(&z, &carry), false);
+        let along: SourcePoint<M, T> = derivative_part(&slides);
+        let Pair(slid, rounding) = exact_sum(&z, &slide);
+        Vector::select(still, &state, &Pair(slid, carry + along + rounding))
+    }
 }
 
 impl<S, M, H, T> Integrator<T> for Collective<S, M, H>
@@ -285,13 +337,7 @@ where
     type Workspace = SpaceOf<S, M, T>;
 
     fn workspace(&self) -> Self::Workspace {
-        let scheme = self.scheme.workspace();
-        CollectiveWorkspace {
-            scheme,
-            threshold: RecentringThreshold::default(),
-            recentring: RecentringWorkspace::new(self.moves.unwrap_or_default()),
-            pinned: false,
-        }
+        self.workspace_of::<T>()
     }
 
     #[cfg_attr(optimised, inline(always))]
@@ -306,12 +352,11 @@ where
 
     #[cfg_attr(optimised, inline(always))]
     fn forget(&self, workspace: &mut Self::Workspace) {
-        self.scheme.forget(&mut workspace.scheme);
-        workspace.threshold = RecentringThreshold::default();
+        self.forget_of::<T>(workspace);
     }
 
     fn pin(&self, workspace: &mut Self::Workspace) {
-        workspace.pinned = true;
+        workspace.pin();
     }
 
     #[cfg_attr(optimised, inline(always))]
@@ -337,27 +382,13 @@ where
         self.increment_of::<T, _>(&self.system, state, step, workspace)
     }
 
-    /// Returns z + e + gauge(z + e), to first order in e.
-    ///
-    /// The derivative of a gauge, such as that of a power of two, may have no meaning except along the fibre. M is
-    /// constant there.
     #[cfg_attr(optimised, inline(always))]
     fn gauged(
         &self,
         state: Pair<Self::State, Self::State>,
         workspace: &Self::Workspace,
     ) -> Pair<Self::State, Self::State> {
-        let Pair(z, carry) = state;
-        let slide = self.gauge::<T>(&z, workspace.pinned);
-        let still = slide.max_norm().at_most(T::zero());
-        if still.all() {
-            return state;
-        }
-        let slides: SourcePoint<M, DualNumber<T>> =
-            self.gauge::<DualNumber<T>>(&seed(&z, &carry), false);
-        let along: SourcePoint<M, T> = derivative_part(&slides);
-        let Pair(slid, rounding) = exact_sum(&z, &slide);
-        Vector::select(still, &state, &Pair(slid, carry + along + rounding))
+        self.gauged_of::<T>(state, workspace)
     }
 }
 

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod chaos;
+mod driven;
 mod laws;
 mod runs;
 mod schemes;

@@ -203,7 +203,7 @@ impl Experiment {
 
     /// Returns what replaces a row by that of a sample: the time, the coordinates, the conserved quantities and the
     /// attitude, if it is followed. It fails where a conserved quantity has no value.
-    fn rows(&self) -> impl FnMut(&mut Vec<f64>, &AnySample) -> Result<(), RunFailure> {
+    pub(super) fn rows(&self) -> impl FnMut(&mut Vec<f64>, &AnySample) -> Result<(), RunFailure> {
         let (model, conserved) = (&self.model, self.model.conserved(&self.start));
         let repeated = self.repeated(&*conserved);
         let present_attitude = self.attitude.then(|| model.present_attitude(&self.start));

@@ -5,4 +5,5 @@ mod strides;
 pub(crate) mod pace;
 pub(crate) mod moment;
 pub(crate) mod experiment;
+pub(crate) mod event_functions;
 pub(crate) mod tangent_growth;

@@ -1,16 +1,17 @@
 //! Every error of a run is what some call returns, and names the values.
 
 use crate::support::{experiment, of_formula, pace};
-use collective_integrators::AnyState;
+use collective_integrators::{AnyState, Direction};
+use core::ops::ControlFlow;
 use heavytop::methods::{Formulation, MethodError, SchemeName};
 use heavytop::{Body, HeavyTop};
-use lie_poisson::Se3Dual;
+use lie_poisson::{Se3, Se3Dual};
 use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
-use lie_poisson_formulas::{Coordinates, Parameters};
+use lie_poisson_formulas::{Coordinates, Formula, Parameters, Vocabulary};
 use lie_poisson_runs::contests::{Contest, TimedProblem};
 use lie_poisson_runs::{
-    Arguments, ArrayKind, Experiment, Model, RunFailure, Saved, Schedule, TangentGrowth, TopInAxes,
-    step_angle,
+    Arguments, ArrayKind, EventFunctions, Experiment, Model, RunFailure, Saved, Schedule,
+    TangentGrowth, TopInAxes, step_angle,
 };
 use nalgebra::Vector3;
 use std::collections::BTreeSet;
@@ -58,6 +59,16 @@ fn lost() -> RunFailure {
     let integrator = system.tangent_integrator(&method, &origin).unwrap();
     let (origin, schedule) = (AnyState::from_slice(&origin), Schedule::new(1.0, 3.0).unwrap());
     TangentGrowth::follow(&integrator, &origin, schedule, (1, &method), &mut |_, _| ()).unwrap_err()
+}
+
+/// Searches the zeros of a function that has no value later.
+fn no_event() -> RunFailure {
+    let names = Vocabulary::of(&Se3::default(), &Parameters::new()).unwrap();
+    let functions = vec![Formula::new("ln(Gamma1*Gamma1 - 0.3)", &names).unwrap()];
+    let events = EventFunctions { functions, direction: Direction::Both };
+    let run = experiment("collective", "gauss-4", pace(0.1, 10.0, 1));
+    let going = |_, _: &[f64]| Ok::<_, RunFailure>(ControlFlow::Continue(()));
+    events.follow(&run, |_| Ok(()), going).unwrap_err()
 }
 
 /// Returns a thin rod, which has no angular momentum about itself.
@@ -113,6 +124,7 @@ fn every_error_names_what_is_wrong() {
         (schedule(0.03, 1.0), "the nearest ends are 0.99 and 1.02"),
         (followed(&failing, None), "collective, lobatto-iiia-iiib-4"),
         (followed(&no_value, None), "at t = "),
+        (no_event(), "ln(Gamma1*Gamma1 - 0.3) has no value at t = "),
         (lost(), "tangent vector"),
         (early, "more than 10, got 10"),
         (timed(fast), "Gauss-12"),

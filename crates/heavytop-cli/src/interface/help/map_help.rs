@@ -1,5 +1,29 @@
 //! The long texts of `--help` of the commands that follow many starts or tops.
 
+pub(crate) const EVENTS: &str = "\
+Find when functions of the state pass zero along a run, of a top or of another system.
+
+The run is that of simulate. An event is where a function goes to zero and changes its sign, found
+to the accuracy of the integrator. A touch is none; neither are a jump, a pole, and a start on zero.
+A function that is an atan2 is an angle: it is zero once per turn. A function is evaluated at the
+steps: one that goes to zero and back within a step may be missed, so take a step that resolves it.
+
+Written: a table with the columns event, the number of the function, from 1, and those of simulate,
+a row for each event, in the order in which they happen. The closing line says how many there are
+of each function, and how far apart; --json also tells the first and the last.";
+
+pub(crate) const EVENTS_EXAMPLES: &str = "\
+Configuration: as of simulate, and
+  [events]
+  functions = [\"Gamma3 - 0.5\"]      # formulas in the coordinates; of a system also its parameters
+  direction = \"both\"               # up, down or both: the sign changes that count, along the run
+  terminal = 3                       # the run ends with the third event of a function; without it,
+                                     # with the last step
+Examples:
+  heavytop events top.toml --out events.csv
+  heavytop events --preset euler --set 'events.functions=[\"Pi2\"]' --out flips.csv
+  heavytop events top.toml --out - --quiet";
+
 pub(crate) const SECTION: &str = "\
 Draw a Poincaré section of a top, or of another Lie–Poisson system (at the end of this help).
 

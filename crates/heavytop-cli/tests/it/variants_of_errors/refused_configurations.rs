@@ -2,11 +2,12 @@
 
 use super::refused;
 use crate::program::Folder;
+use heavytop_cli::commands::events::events;
 use heavytop_cli::commands::section::section;
 use heavytop_cli::commands::sweep::sweep;
 use heavytop_cli::configuration::Config;
 use heavytop_cli::reading::Sources;
-use heavytop_cli::supervision::TileOptions;
+use heavytop_cli::supervision::{TileOptions, Watch};
 use std::collections::BTreeSet;
 
 /// Assignments that are refused before there is a configuration.
@@ -88,6 +89,13 @@ const SYSTEM_SECTIONS: [(&str, &str); 4] = [
 /// An integrator whose first step fails.
 const FAILING: &str =
     "integrator = { step = 0.5, formulation = 'collective', scheme = 'lobatto-iiia-iiib-4' }";
+
+/// Configurations of events, and the names of their tables.
+const EVENTS: [(&str, &str, &str); 3] = [
+    ("Error::NoEvents", "", "e.csv"),
+    ("Error::EventFunction", "events.functions = ['x']", "e.csv"),
+    ("Error::NoTable", "events.functions = ['Pi1']", "e.npz"),
+];
 
 /// A system in which every coordinate but Pi3 changes.
 const BODY: &str = "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi3^2'\ninitial.Pi = [1, 0, 1]\n";
@@ -210,6 +218,10 @@ pub fn errors() -> BTreeSet<String> {
     }
     for (expected, text) in SYSTEM_SECTIONS {
         found.push(refused(expected, cut(&format!("{BODY}[section]\n{text}"))));
+    }
+    for (expected, text, name) in EVENTS {
+        let result = events(&config(text), &folder.path(name), &Watch::default());
+        found.push(refused(expected, result));
     }
     // The points of a section have the columns x and y.
     let plane = cut(&format!("{SOLVABLE}[section]\nsurface = 'z'"));

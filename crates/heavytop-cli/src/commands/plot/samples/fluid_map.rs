@@ -17,7 +17,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// The numbers of columns and rows of pixels.
 const SIZE: [u32; 2] = [960, 480];
 
-/// The end of the scale of colours, in multiples of the root mean square.
+/// The largest end of the scale of colours, in multiples of the root mean square: in a turbulent fluid a few vortices are far
+/// stronger than the rest.
 const MOST: f64 = 3.0;
 
 /// The vorticity of a fluid as colours.
@@ -26,13 +27,15 @@ pub(super) struct FluidMap<'a> {
     system: &'a ArraySystem,
     /// The largest mean square of the vorticity.
     mean_square: f64,
+    /// The largest size of the vorticity.
+    largest: f64,
     /// The sample that was included last, and its vorticity, which takes long to compute.
     last: (Vec<f64>, Vec<Option<f64>>),
 }
 
 impl<'a> FluidMap<'a> {
     pub fn new(run: &'a RunArrays, system: &'a ArraySystem) -> Self {
-        Self { run, system, mean_square: 0.0, last: Default::default() }
+        Self { run, system, mean_square: 0.0, largest: 0.0, last: Default::default() }
     }
 
     /// Returns the vorticity in the rows of pixels from the top, and `None` beside the sphere.
@@ -61,14 +64,19 @@ impl SamplePicture for FluidMap<'_> {
         let inside = cells.iter().flatten();
         // Equal areas of the map are equal areas of the sphere.
         let count = inside.clone().count().max(1);
-        self.mean_square = self.mean_square.max(inside.map(|x| x * x).sum::<f64>() / count as f64);
+        self.mean_square =
+            self.mean_square.max(inside.clone().map(|x| x * x).sum::<f64>() / count as f64);
+        self.largest = inside.fold(self.largest, |most, x| most.max(x.abs()));
         self.last = (sample.to_vec(), cells);
     }
 
     fn draw(&self, sample: &[f64], time: f64) -> Result<String, Error> {
-        let most = (MOST * self.mean_square.sqrt()).max(f64::MIN_POSITIVE);
-        let scale =
-            Scale::linear(&Axis::new(-most, most, 6), "vorticity (1/s), colours to 3 × rms", false);
+        let most = (MOST * self.mean_square.sqrt()).min(self.largest).max(f64::MIN_POSITIVE);
+        let title = match most < self.largest {
+            true => "vorticity (1/s); what is beyond has the last colour",
+            false => "vorticity (1/s)",
+        };
+        let scale = Scale::linear(&Axis::new(-most, most, 6), title, false);
         let size = self.run.subject.state().1.first().copied().unwrap_or(0);
         let caption = self.run.caption(format!("N = {size}, t = {} s", number(time)));
         let mut map = SphereMap::new(&caption, Some(scale))?;

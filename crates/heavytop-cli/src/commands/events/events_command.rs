@@ -1,0 +1,126 @@
+//! The command `events`: follows a run and writes a table of the zeros of functions.
+
+use super::events_summary::{EventsOf, EventsSummary};
+use crate::configuration::{Config, EventsConfig};
+use crate::errors::Error;
+use crate::files::{Kind, Output, Place};
+use crate::formats::RunTable;
+use crate::formats::run_table::append_row;
+use crate::runs::Experiment;
+use crate::runs::run_check::accuracy_warning;
+use crate::supervision::warnings::warn;
+use crate::supervision::{Progress, Watch};
+use lie_poisson::Se3;
+use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+use lie_poisson_runs::EventFunctions;
+use std::io::Write;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+/// How the table is recognised.
+const CSV: Kind<'_> = Kind::of_first_bytes("table of events", b"event,t,");
+
+/// Follows the run of the configuration, and writes the moments at which the functions of `[events]` pass zero as the table
+/// `out`: the number of the function, from 1, and the columns of `simulate`.
+///
+/// # Errors
+/// If the request is wrong, or the run is stopped: then nothing is written. If the run fails, the events until then are kept
+/// as `OUT.partial`.
+///
+/// # Example
+/// The free body of the preset `euler` turns about a direction near its middle axis, and flips again and again.
+/// ```
+/// use heavytop_cli::commands::events::events;
+/// use heavytop_cli::configuration::{Config, EventsConfig, Preset};
+/// use heavytop_cli::supervision::Watch;
+/// let folder = tempfile::tempdir()?;
+/// let wanted = EventsConfig { functions: vec!["Pi2".into()], terminal: Some(3), ..EventsConfig::default() };
+/// let config = Config { events: Some(wanted), ..Preset::Euler.config() };
+/// let summary = events(&config, &folder.path().join("flips.csv"), &Watch::default())?;
+/// assert_eq!((summary.functions[0].events, Some(summary.end)), (3, summary.functions[0].last));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn events(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<EventsSummary, Error> {
+    let settings = config.events.clone().unwrap_or_default();
+    let functions = functions(config, &settings)?;
+    let run = run(config)?;
+    let table = RunTable::new(&run, &config.output.columns)?;
+    let requested = config.top_columns()?;
+    require_csv(out)?;
+    watch.safeguard.require(out, &CSV)?;
+    let mut output = Output::create(out)?;
+    let accuracy = {
+        let _shown = Progress::estimating(watch.quiet);
+        run.accuracy(&|| watch.require_going().is_ok())?
+    };
+    let warnings = [run.warning()?, accuracy_warning(&accuracy), config.body_warning()];
+    warnings.into_iter().flatten().for_each(warn);
+
+    output.write(|to| writeln!(to, "event,{}", table.header()))?;
+    let mut counts: Vec<EventsOf> = functions.functions.iter().map(EventsOf::new).collect();
+    let (mut end, mut line, mut columns) = (run.pace.schedule.end(), Vec::new(), Vec::new());
+    let progress = Progress::new(&run, watch.quiet);
+    let advance = |step: u64| {
+        progress.at(step);
+        watch.require_going()
+    };
+    let outcome = functions.follow(&run, advance, |place, row| -> Result<_, Error> {
+        columns.clear();
+        columns.extend_from_slice(row);
+        requested.iter().for_each(|requested| requested.complete(&mut columns));
+        line.clear();
+        append_row(&mut line, &columns);
+        output.write(|to| write!(to, "{},", place + 1).and_then(|()| to.write_all(&line)))?;
+        let (Some(count), Some(&time)) = (counts.get_mut(place), row.first()) else {
+            return Ok(ControlFlow::Continue(()));
+        };
+        count.add(time);
+        if Some(count.events) == settings.terminal {
+            end = time;
+            return Ok(ControlFlow::Break(()));
+        }
+        Ok(ControlFlow::Continue(()))
+    });
+    drop(progress);
+    output.conclude(outcome)?;
+    let summary = EventsSummary::new(&run, counts, end, out);
+    Ok(EventsSummary { error_estimate: accuracy.error, ..summary })
+}
+
+/// Returns the run of a top, or of a system whose coordinates formulas know.
+fn run(config: &Config) -> Result<Box<Experiment>, Error> {
+    Ok(match config.system_experiment()? {
+        Some(system) => Box::new(system),
+        None => Box::new(config.experiment()?),
+    })
+}
+
+/// Reads the functions whose zeros are to be found.
+fn functions(config: &Config, settings: &EventsConfig) -> Result<EventFunctions, Error> {
+    if settings.functions.is_empty() {
+        return Err(Error::NoEvents);
+    }
+    if settings.terminal == Some(0) {
+        let (name, range) = ("events.terminal", "at least 1");
+        return Err(Error::OutOfRange { name, range, value: 0.0 });
+    }
+    let names = match config.system()? {
+        Some(table) => table.formula_system()?.algebra().vocabulary(&table.parameters()?)?,
+        None => Vocabulary::of(&Se3::default(), &Parameters::new())
+            .map_err(FormulaSystemError::Parameters)?,
+    };
+    let read = |(number, text): (usize, &String)| {
+        let failed = |source| Error::EventFunction { number, source: Box::new(source) };
+        Formula::new(text, &names).map_err(failed)
+    };
+    let functions = settings.functions.iter().enumerate().map(read).collect::<Result<_, _>>()?;
+    Ok(EventFunctions { functions, direction: settings.direction })
+}
+
+/// Checks that the name ends in `.csv`, or that the output is `-`, which is standard output, or a device.
+fn require_csv(out: &Path) -> Result<(), Error> {
+    let is_csv = out.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+    let is_device = Place::of(out).is_ok_and(|place| place.is_device);
+    if is_csv || is_device { Ok(()) } else { Err(Error::NoTable { path: out.into() }) }
+}

@@ -1,0 +1,5 @@
+//! Motions on coadjoint orbits whose field depends on time, or loses energy.
+
+mod driven_casimirs;
+mod damped_spins;
+mod driven_orders;

@@ -1,0 +1,59 @@
+//! Dissipation that stays on coadjoint orbits: [`DoubleBracket`].
+
+use crate::brackets::poisson::PoissonSpace;
+use crate::orbits::inner_product::InnerProduct;
+use crate::orbits::orbit_field::OrbitField;
+use generic_scalars::{Differential, Point, Real, map_coordinates};
+
+/// The field of a double bracket,
+///
+/// ```text
+/// ξ = ξ₀ + θ (Λ ξ₀)♯,    with ξ₀ the field that is damped and ♯: 𝔤∗ → 𝔤 an inner product
+/// ```
+///
+/// For ξ₀ = dh the energy falls, dh/dt = −θ |Λ dh|², until Λ dh = 0, and the motion stays on its coadjoint orbit. On so(3)∗ with
+/// the Euclidean inner product it is dΠ/dt = Π × Ω + θ Π × (Π × Ω), the equation of Landau and Lifshitz. The friction θ has the
+/// unit 1/μ, if ♯ has none.
+///
+/// Sources: Brockett, Linear Algebra Appl. 146 (1991); Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys. 175 (1996).
+///
+/// # Example
+/// A spin in the field e₃, h = −Π₃, turns towards it:
+/// ```
+/// use lie_poisson::{Autonomous, Covector, DoubleBracket, InnerProduct, LiePoisson, OrbitField, PoissonSpace, So3};
+/// use lie_poisson::from_closure;
+/// use nalgebra::Vector3;
+/// let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| -pi.z);
+/// let space = LiePoisson::minus(So3);
+/// let inner_product = InnerProduct::euclidean();
+/// let damped = DoubleBracket { space, field: Autonomous(h), friction: 0.5, inner_product };
+/// let pi = Covector(Vector3::new(0.6, 0.0, 0.8));
+/// let rate = space.hamiltonian_vector(&pi, &damped.element(&pi, 0.0)).0;
+/// assert!((rate.z - 0.5 * 0.36).abs() < 1e-15); // θ |Π × e₃|²
+/// assert!(rate.dot(&pi.0).abs() < 1e-15);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct DoubleBracket<P, X> {
+    /// The space with its bracket.
+    pub space: P,
+    /// The field ξ₀ that is damped.
+    pub field: X,
+    /// The friction θ; energy is lost if it is positive.
+    pub friction: f64,
+    /// The inner product ♯.
+    pub inner_product: InnerProduct,
+}
+
+impl<P, X, T> OrbitField<P, T> for DoubleBracket<P, X>
+where
+    P: PoissonSpace,
+    X: OrbitField<P, T>,
+    T: Real,
+{
+    fn element(&self, mu: &Point<P, T>, time: T) -> Differential<P, T> {
+        let xi = self.field.element(mu, time);
+        let rate = self.space.hamiltonian_vector::<T>(mu, &xi);
+        let sharp = self.inner_product.sharp::<P, T>(&rate);
+        xi + map_coordinates(&sharp, |x| x * self.friction)
+    }
+}

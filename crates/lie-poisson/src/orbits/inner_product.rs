@@ -1,0 +1,111 @@
+//! Inner products on the dual of a Lie algebra: [`InnerProduct`].
+
+use generic_scalars::{Differential, Point, Real, State, Vector, VectorSpace, map_coordinates};
+use nalgebra::DMatrix;
+use thiserror::Error;
+
+/// The part of the largest entry up to which a matrix is symmetric by rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// The reason why a matrix is no inner product.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum InnerProductError {
+    /// The number of entries is no square.
+    #[error("a matrix with as many rows as columns is needed, got {entries} entries")]
+    NotSquare {
+        /// The number of entries.
+        entries: usize,
+    },
+    /// Two entries across the diagonal differ.
+    #[error(
+        "the matrix is not symmetric: entry ({row}, {column}) is {one}, and ({column}, {row}) is {other}"
+    )]
+    NotSymmetric {
+        /// The row, from 1.
+        row: usize,
+        /// The column, from 1.
+        column: usize,
+        /// The entry there.
+        one: f64,
+        /// The entry across the diagonal.
+        other: f64,
+    },
+    /// The matrix is not positive definite, or an entry is no number.
+    #[error("the matrix is not positive definite")]
+    NotPositive,
+}
+
+/// An inner product on 𝔤∗, as the map ♯: 𝔤∗ → 𝔤 with ⟨α, β♯⟩ for the product of α and β, in coordinates.
+///
+/// # Example
+/// ```
+/// use lie_poisson::{Covector, InnerProduct, InnerProductError, LiePoisson, So3};
+/// use nalgebra::Vector3;
+/// let weighted = InnerProduct::new(&[2.0, 1.0, 0.0, 1.0, 3.0, 0.0, 0.0, 0.0, 1.0])?;
+/// let sharp = weighted.sharp::<LiePoisson<So3>, f64>(&Covector(Vector3::new(1.0, 0.0, 4.0)));
+/// assert_eq!(sharp, Vector3::new(2.0, 1.0, 4.0));
+/// assert_eq!(InnerProduct::new(&[1.0, 2.0, 2.0, 1.0]), Err(InnerProductError::NotPositive));
+/// # Ok::<(), InnerProductError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct InnerProduct {
+    /// The rows of the matrix, one after the other; none for the unit matrix.
+    rows: Vec<f64>,
+}
+
+impl InnerProduct {
+    /// Returns the inner product whose matrix in the coordinates of 𝔤∗ is the unit matrix.
+    #[must_use]
+    pub const fn euclidean() -> Self {
+        Self { rows: Vec::new() }
+    }
+
+    /// Creates an inner product from its symmetric, positive definite matrix, row by row. It is for spaces with as many
+    /// coordinates as the matrix has rows.
+    ///
+    /// # Errors
+    /// Returns [`InnerProductError`] if the matrix is not square, symmetric and positive definite.
+    pub fn new(rows: &[f64]) -> Result<Self, InnerProductError> {
+        let (entries, size) = (rows.len(), rows.len().isqrt());
+        if size * size != entries || entries == 0 {
+            return Err(InnerProductError::NotSquare { entries });
+        }
+        let matrix = DMatrix::from_row_slice(size, size, rows);
+        let largest = matrix.amax();
+        for (i, j) in (0..size).flat_map(|i| (0..i).map(move |j| (i, j))) {
+            let (one, other) = (matrix[(i, j)], matrix[(j, i)]);
+            if (one - other).abs() > ROUNDING * largest {
+                return Err(InnerProductError::NotSymmetric {
+                    row: i + 1,
+                    column: j + 1,
+                    one,
+                    other,
+                });
+            }
+        }
+        match largest.is_finite() && matrix.cholesky().is_some() {
+            true => Ok(Self { rows: rows.to_vec() }),
+            false => Err(InnerProductError::NotPositive),
+        }
+    }
+
+    /// Returns α♯. It is NaN if the matrix has not as many rows as the space has coordinates.
+    #[must_use]
+    pub fn sharp<P: VectorSpace, T: Real>(&self, alpha: &Point<P, T>) -> Differential<P, T> {
+        let size = Point::<P, T>::DIM;
+        if self.rows.is_empty() {
+            return map_coordinates(alpha, |x| x);
+        }
+        let mut sharp: Differential<P, T> = Vector::zero();
+        if self.rows.len() != size * size {
+            sharp.set_coordinates(|_| T::from_f64(f64::NAN));
+            return sharp;
+        }
+        sharp.set_coordinates(|i| {
+            let row = self.rows.iter().skip(i * size).take(size);
+            row.enumerate().fold(T::zero(), |sum, (j, entry)| sum + alpha.coordinate(j) * *entry)
+        });
+        sharp
+    }
+}

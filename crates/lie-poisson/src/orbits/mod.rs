@@ -1,0 +1,6 @@
+//! Fields of Lie algebra elements, whose motions stay on coadjoint orbits: with time, and with dissipation.
+
+pub(crate) mod time_axis;
+pub(crate) mod orbit_field;
+pub(crate) mod inner_product;
+pub(crate) mod double_bracket;
