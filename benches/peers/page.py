@@ -128,17 +128,6 @@ def ratios(rows):
     return lines + [""]
 
 
-def settings(rows):
-    lines = ["### What the ratios compare", "", "Each row names the fastest setting of each contestant that reaches the error.", "",
-             "| task | peer | top | ours | theirs |", "|---|---|---|---|---|"]
-    for task, peer, ensemble, tops, ours, theirs in PEERS:
-        for top in tops:
-            if found := pair(rows, top + ensemble, ours, theirs):
-                a, b, _ = found
-                lines.append(f"| {task} | {peer} | {top} | {a['name']}, {a['setting']} | {b['name']}, {b['setting']} |")
-    return lines + [""] if len(lines) > 6 else []
-
-
 def general(rows):
     lines = ["### General integrators and kernels", "",
              "The time of a general integrator divided by that of the kernel for tops.", "",
@@ -201,7 +190,7 @@ def generated(rows, missing, rounds):
         lines += ["Did not run here:", ""] + [f"* `{name}`: {why}" for name, why in missing.items()] + [""]
     for problem in TITLES:
         lines += table(problem, rows)
-    return lines + settings(rows) + general(rows) + bodies(rows)
+    return lines + general(rows) + bodies(rows)
 
 
 def panels(rows):

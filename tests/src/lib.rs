@@ -62,6 +62,10 @@ mod guide {
     mod long_runs {}
     #[doc = include_str!("../../docs/guide/systems.md")]
     mod systems {}
+    #[doc = include_str!("../../docs/guide/lattices-and-fluids.md")]
+    mod lattices_and_fluids {}
     #[doc = include_str!("../../docs/guide/errors.md")]
     mod errors {}
+    #[doc = include_str!("../../docs/laws.md")]
+    mod laws {}
 }

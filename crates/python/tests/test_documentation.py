@@ -21,13 +21,14 @@ def test_examples_run(name):
 
 PACKAGE = pathlib.Path(__file__).parent.parent
 ROOT = PACKAGE.parent.parent
-PAGES = [PACKAGE / "README.md", ROOT / "docs/guide/python.md"]
+GUIDE = sorted((ROOT / "docs/guide").glob("*.md"))
+PAGES = [PACKAGE / "README.md"] + [page for page in GUIDE if ">>> " in page.read_text()]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_pages_run(page):
     found = doctest.testfile(str(page), module_relative=False, optionflags=doctest.ELLIPSIS)
-    assert found.failed == 0 and found.attempted > 5
+    assert found.failed == 0 and found.attempted > 3
 
 
 def gallery():

@@ -1,10 +1,11 @@
-//! Builds the guide in `target/guide`: mdBook, with the formulas typeset as MathML, and with the font that
-//! browsers draw them with. The pages need no network.
+//! Builds the guide in `target/guide`: mdBook, with the formulas typeset as MathML, with the font that browsers draw
+//! them with, and with tabs. The pages need no network.
 
 mod formulas;
+mod tabs;
 
 use mdbook_driver::MDBook;
-use mdbook_preprocessor::book::Book;
+use mdbook_preprocessor::book::{Book, Chapter};
 use mdbook_preprocessor::errors::{Error, Result};
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 use std::path::{Path, PathBuf};
@@ -14,18 +15,20 @@ use std::{env, fs};
 /// The font of the formulas, in the crate that typesets them and below the pages.
 const FONT: &str = "font/latinmodern-math.woff2";
 
-/// Typesets the formulas of all chapters.
-struct Formulas;
+/// Typesets the formulas of all chapters, and makes tabs.
+struct Rendering;
 
-impl Preprocessor for Formulas {
+impl Preprocessor for Rendering {
     fn name(&self) -> &str {
-        "formulas"
+        "rendering"
     }
 
     fn run(&self, _: &PreprocessorContext, mut book: Book) -> Result<Book> {
         let mut wrong = None;
-        book.for_each_chapter_mut(|chapter| match formulas::typeset(&chapter.content) {
-            Ok(typeset) => chapter.content = typeset,
+        let rendered =
+            |chapter: &Chapter| tabs::tabbed(&formulas::typeset(&chapter.content)?, &chapter.name);
+        book.for_each_chapter_mut(|chapter| match rendered(chapter) {
+            Ok(content) => chapter.content = content,
             Err(message) => wrong = Some(Error::msg(format!("{}: {message}", chapter.name))),
         });
         wrong.map_or(Ok(book), Err)
@@ -54,7 +57,7 @@ fn font() -> Result<PathBuf> {
 fn main() -> Result<()> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut book = MDBook::load(&root)?;
-    book.with_preprocessor(Formulas).build()?;
+    book.with_preprocessor(Rendering).build()?;
     let pages = book.build_dir_for("html");
     // mdBook copies all of docs/ that is no page; this program is not part of the book.
     fs::remove_dir_all(pages.join("guide/builder"))?;
