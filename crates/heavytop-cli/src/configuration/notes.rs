@@ -50,6 +50,14 @@ impl Notes {
     }
 }
 
+/// The axes of `[body]`.
+const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// Returns a number without the digits that its computation has rounded.
+fn rounded(x: f64) -> f64 {
+    format!("{x:.12e}").parse().unwrap_or(x)
+}
+
 /// Writes a line for each note.
 impl fmt::Display for Notes {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -57,11 +65,14 @@ impl fmt::Display for Notes {
             writeln!(to, "left out, and taken from {of}: {}", self.left_out.join(", "))?;
         }
         if let (Some(moments), Some(axes)) = (self.principal_moments, self.principal_axes) {
-            writeln!(
-                to,
-                "the principal moments about the support are {moments:?} kg m², about the axes {axes:?}; the output is \
-                 in the axes of [body]"
-            )?;
+            let moments = moments.map(rounded);
+            write!(to, "the principal moments about the support are {moments:?} kg m²")?;
+            match axes == IDENTITY {
+                true => writeln!(to)?,
+                false => {
+                    writeln!(to, ", about the axes {axes:?}; the output is in the axes of [body]")?
+                }
+            }
         }
         Ok(())
     }

@@ -43,7 +43,12 @@ fn names<S: Serializer>(quantities: &[TopQuantity], to: S) -> Result<S::Ok, S::E
 fn quantities<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<TopQuantity>, D::Error> {
     let mut found = Vec::new();
     for name in Vec::<String>::deserialize(from)? {
-        let quantity = by_name("column", TopQuantity::NAMES, &name).map_err(D::Error::custom)?;
+        let quantity = by_name("column", TopQuantity::NAMES, &name).map_err(|unknown| {
+            let of = TopQuantity::with_column(&name);
+            D::Error::custom(
+                of.map_or(unknown, |of| format!("`{name}` is a column of `{}`", of.name())),
+            )
+        })?;
         if found.contains(&quantity) {
             return Err(D::Error::custom(format!("the column `{name}` stands twice")));
         }

@@ -94,11 +94,26 @@ impl fmt::Display for RunCheck {
     }
 }
 
+impl RunCheck {
+    /// Returns a warning if the check finds a large error that the estimate has not shown.
+    pub(crate) fn warning(&self, estimate: &RunAccuracy) -> Option<String> {
+        let error = self.error.filter(|error| *error > RunAccuracy::MOST_ERROR)?;
+        let is_said = estimate.error.is_some_and(|estimate| estimate > RunAccuracy::MOST_ERROR);
+        (!is_said).then(|| {
+            format!(
+                "warning: the run with half the step ends elsewhere: the relative error is about {error:.1e}, though the \
+                 beginning of the run does not show it; where shorter steps do not help, the motion is chaotic"
+            )
+        })
+    }
+}
+
 /// Returns the larger angle of a step and the larger error of two runs by one method.
 pub(crate) fn worse(one: RunAccuracy, other: RunAccuracy) -> RunAccuracy {
     RunAccuracy {
         angle: larger(one.angle, other.angle),
         error: one.error.into_iter().chain(other.error).reduce(larger),
+        chaos: one.chaos.into_iter().chain(other.chaos).reduce(f64::min),
         ..one
     }
 }

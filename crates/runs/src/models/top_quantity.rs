@@ -38,6 +38,13 @@ impl TopQuantity {
         Self::NAMES.iter().find(|(_, other)| *other == self).map_or("", |(name, _)| name)
     }
 
+    /// Returns the quantity that has a column of this name, such as the Euler angles for `theta`.
+    #[must_use]
+    pub fn with_column(column: &str) -> Option<Self> {
+        let has = |(_, quantity): &&(&str, Self)| quantity.columns().contains(&column);
+        Self::NAMES.iter().find(has).map(|(_, quantity)| *quantity)
+    }
+
     /// Returns the names of the columns of a table of the quantity.
     #[must_use]
     pub const fn columns(self) -> &'static [&'static str] {

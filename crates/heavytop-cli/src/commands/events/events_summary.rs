@@ -79,8 +79,13 @@ impl fmt::Display for EventsSummary {
         for (place, of) in self.functions.iter().enumerate() {
             let separator = if place > 0 { ", " } else { "" };
             write!(to, "{separator}{} zeros of {}", of.events, of.function)?;
-            if let Some(interval) = of.interval {
-                write!(to, " ({} s apart on average)", number(interval))?;
+            match (of.first, of.interval) {
+                (Some(first), Some(interval)) => {
+                    let [first, interval] = [first, interval].map(number);
+                    write!(to, " (from {first} s on, {interval} s apart on average)")?;
+                }
+                (Some(first), None) => write!(to, " (at {} s)", number(first))?,
+                (None, _) => {}
             }
         }
         write!(to, ", in {}", shown(&self.out))?;

@@ -1,11 +1,13 @@
 //! The command `report`: follows a top and tells its rates.
 
 use super::report_table::ReportTable;
-use crate::configuration::Config;
+use crate::configuration::{Config, Integration};
 use crate::errors::Error;
 use crate::runs::run_check::accuracy_warning;
 use crate::supervision::warnings::warn;
+use heavytop::Invariant;
 use lie_poisson_runs::TopReport;
+use lie_poisson_runs::step_angle::{fastest_rate_of_top, usual_step};
 
 /// Follows the top of a configuration by its method, to its end, and tells the rates of its motion, its turning points and the
 /// steady rotations near it, beside the formulas of textbooks.
@@ -28,6 +30,13 @@ use lie_poisson_runs::TopReport;
 pub fn report(config: &Config) -> Result<ReportTable, Error> {
     let mut config = config.clone();
     config.output.attitude = true;
+    if config.integrator.step.is_none() {
+        // A long step would count turns wrongly.
+        let energy = Invariant::Energy.value(&config.top()?, &config.start()?);
+        let usual = config.integrator.or(Integration::default());
+        let rate = fastest_rate_of_top(&config.top()?, energy);
+        config.integrator.step = Some(usual_step(usual.step, usual.end, rate));
+    }
     let run = config.experiment()?;
     let accuracy = run.accuracy(&|| true)?;
     accuracy_warning(&accuracy).into_iter().for_each(warn);

@@ -12,6 +12,7 @@ use crate::runs::RunCheck;
 use crate::runs::run_check::accuracy_warning;
 use crate::supervision::Progress;
 use crate::supervision::warnings::warn;
+use lie_poisson::larger;
 use std::path::Path;
 
 /// Runs the configuration and writes `out`, in the format that its ending names.
@@ -92,6 +93,9 @@ pub fn simulate(
     recording.conclude(outcome)?;
     let check = || RunCheck::of(run.compared(&|| options.going())?, &run.method);
     let check = options.check.then(check).transpose()?;
+    check.and_then(|check| check.warning(&accuracy)).into_iter().for_each(warn);
+    let checked = check.and_then(|check| check.error);
+    let error_estimate = accuracy.error.into_iter().chain(checked).reduce(larger);
     let summary = RunSummary::new(out.into(), run, &last, &deviations, &table);
-    Ok(RunSummary { described, error_estimate: accuracy.error, check, ..summary })
+    Ok(RunSummary { described, error_estimate, check, ..summary })
 }

@@ -5,9 +5,10 @@ use super::families::course::Course;
 use super::families::family::Family;
 use super::families::system_family::SystemFamily;
 use super::families::top_family::TopFamily;
-use crate::configuration::{Column, Config, Spread, SweepAxis, SweepConfig};
+use crate::configuration::{Column, Config, Integration, Spread, SweepAxis, SweepConfig};
 use crate::errors::{Error, SweepError};
 use crate::runs::Schedule;
+use lie_poisson_runs::step_angle::usual_step;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::f64::consts::TAU;
@@ -15,6 +16,9 @@ use std::sync::Arc;
 
 /// The largest number of members; more must be a typing error.
 const MOST_MEMBERS: f64 = 1e9;
+
+/// The number of members whose fastest rates choose the step.
+const TRIED: u64 = 64;
 
 /// The columns of the table besides those of axes and observables.
 pub(super) const INDEX: &str = "index";
@@ -69,6 +73,10 @@ impl Plan {
         let columns = observables.iter().map(|observable| family.columns(*observable));
         let columns = columns.collect::<Result<Vec<_>, _>>()?.concat();
         require_different_names(&axes, &columns)?;
+        let integration = match config.integrator.step {
+            Some(_) => integration,
+            None => with_step(integration, &*family, (&axes, seed), members),
+        };
         let schedule = Schedule::new(integration.step, integration.end)?;
         let course = Course { schedule, observables };
         let integrator = integration.into();
@@ -86,27 +94,48 @@ impl Plan {
     /// The values depend on the configuration and the number alone. Each member draws random values from a ChaCha8
     /// stream of its own.
     pub fn parameters(&self, number: u64) -> Vec<f64> {
-        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
-        random.set_stream(number);
-        let mut rest = number;
-        let value = |axis: &SweepAxis| match axis.spread {
-            Spread::Grid { from, to, count } => {
-                let (count, last) = (u64::from(count), u64::from(count.max(2) - 1));
-                let along = (rest % count) as f64 / last as f64;
-                rest /= count;
-                // At both ends the value is exactly the configured one.
-                from * (1.0 - along) + to * along
-            }
-            Spread::Uniform { from, to } => {
-                let along = uniform(&mut random);
-                from * (1.0 - along) + to * along
-            }
-            Spread::Normal { mean, deviation } => mean + deviation * normal(&mut random),
-        };
-        let mut values: Vec<f64> = self.axes.iter().rev().map(value).collect();
-        values.reverse();
-        values
+        parameters(&self.axes, self.seed, number)
     }
+}
+
+/// Returns an integrator whose step (s) is not too long for the members that are tried, spread over all of them. Those that do not
+/// exist have no say.
+fn with_step(
+    integration: Integration,
+    family: &dyn Family,
+    (axes, seed): (&[SweepAxis], u64),
+    members: u64,
+) -> Integration {
+    let tried =
+        (0..TRIED.min(members)).map(|n| n * (members - 1) / (TRIED.min(members) - 1).max(1));
+    let rates = tried.filter_map(|n| family.fastest_rate(&parameters(axes, seed, n)).ok());
+    let fastest = rates.filter(|rate| rate.is_finite()).fold(0.0, f64::max);
+    let step = usual_step(integration.step.abs(), integration.end, fastest);
+    Integration { step: step.copysign(integration.step), ..integration }
+}
+
+/// Returns the values of the axes for a member: [`Plan::parameters`].
+fn parameters(axes: &[SweepAxis], seed: u64, number: u64) -> Vec<f64> {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    random.set_stream(number);
+    let mut rest = number;
+    let value = |axis: &SweepAxis| match axis.spread {
+        Spread::Grid { from, to, count } => {
+            let (count, last) = (u64::from(count), u64::from(count.max(2) - 1));
+            let along = (rest % count) as f64 / last as f64;
+            rest /= count;
+            // At both ends the value is exactly the configured one.
+            from * (1.0 - along) + to * along
+        }
+        Spread::Uniform { from, to } => {
+            let along = uniform(&mut random);
+            from * (1.0 - along) + to * along
+        }
+        Spread::Normal { mean, deviation } => mean + deviation * normal(&mut random),
+    };
+    let mut values: Vec<f64> = axes.iter().rev().map(value).collect();
+    values.reverse();
+    values
 }
 
 /// Checks that there are axes and observables, none of these twice.

@@ -1,5 +1,6 @@
 //! Errors of files with arrays.
 
+use lie_poisson_runs::TopQuantity;
 use std::io;
 
 /// The reason why a file has not the array that is needed.
@@ -13,7 +14,7 @@ pub enum FieldFileError {
     #[error("{0}")]
     Format(String),
     /// There is no array of this name, or nothing else that was looked for.
-    #[error("it has no {kind} {name}; it has {}", if has.is_empty() { "none".into() } else { has.join(", ") })]
+    #[error("it has no {kind} {name}; it has {}", if has.is_empty() { "none".into() } else { has.join(", ") } + &on_request(name))]
     NoArray {
         /// What was looked for, such as "array".
         kind: &'static str,
@@ -34,6 +35,17 @@ pub enum FieldFileError {
         /// The shape in the file.
         found: Vec<usize>,
     },
+}
+
+/// Returns the end of a message that says how the run of a top gets a column of this name.
+fn on_request(name: &str) -> String {
+    let named = TopQuantity::NAMES
+        .iter()
+        .find(|(known, _)| known.replace('-', "_") == name.replace('-', "_"));
+    let quantity = named.map(|(_, quantity)| *quantity).or_else(|| TopQuantity::with_column(name));
+    quantity.map_or_else(String::new, |quantity| {
+        format!("; write columns = [\"{}\"] under [output], and simulate again", quantity.name())
+    })
 }
 
 impl From<io::Error> for FieldFileError {

@@ -11,7 +11,9 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum SystemTableError {
     /// A command for tops got a system.
-    #[error("only simulate, section and sweep run a system; the other commands are for tops")]
+    #[error(
+        "only simulate, events, section and sweep run a system; the other commands are for tops"
+    )]
     CommandOfTops,
     /// A table of tops stands beside the system.
     #[error("a system has no [{0}], which is of tops: its keys are in [system]")]
@@ -30,9 +32,10 @@ pub enum SystemTableError {
     /// A system by name has an algebra or a Hamiltonian of its own.
     #[error("a kind has its algebra and its Hamiltonian: write neither, or leave out kind")]
     TwoSystems,
-    /// The command that draws sections got a system of arrays.
+    /// A command whose formulas are of coordinates got a system of arrays.
     #[error(
-        "{kind} has no section: its orbits have too many dimensions for a picture; use simulate or sweep"
+        "{kind} has no section and no events here: it is an array, whose coordinates have no names in formulas; use \
+         simulate or sweep, or Python for events"
     )]
     OnlySimulated {
         /// The name of the kind of system.

@@ -7,6 +7,8 @@ The run is that of simulate. An event is where a function goes to zero and chang
 to the accuracy of the integrator. A touch is none; neither are a jump, a pole, and a start on zero.
 A function that is an atan2 is an angle: it is zero once per turn. A function is evaluated at the
 steps: one that goes to zero and back within a step may be missed, so take a step that resolves it.
+The names in a formula of a top are Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3 and the vectors Pi, Gamma:
+the inclination θ of e3 is acos(Gamma3), and Omega1 is Pi1 divided by the moment.
 
 Written: a table with the columns event, the number of the function, from 1, and those of simulate,
 a row for each event, in the order in which they happen. The closing line says how many there are
@@ -177,7 +179,8 @@ Configuration: [body] and [initial] as of simulate, and
   normalise = true                   # scale the unit vector to length 1 afterwards; default false
 
   [integrator]                       # as of simulate
-What [integrator] leaves out: reduced, gauss-8, step 0.1 s, end 100 s.
+What [integrator] leaves out: reduced, gauss-8, step 0.1 s, end 100 s. Where a top turns by more than
+1 rad in such a step, the step is one in which none that is tried turns by more than 0.5 rad.
 
 Parameters:
   body.inertia[i], body.mass, body.gravity, body.length, body.weight_moment, body.center_of_mass[i],

@@ -137,7 +137,7 @@ fn the_table_goes_by_groups_of_rows() {
     let run = folder.heavytop(&["sweep", "a.toml", "--out", "."]);
     // The last top turns by 33 rad in its step.
     assert_eq!((run.code(), run.complaints()), (0, String::new()));
-    let worst = "warning: in the worst of 64 of 65537 tops, the motion turns by about 33 rad";
+    let worst = "warning: in the worst of 64 that were tried of 65537 tops, the motion turns by about 33 rad";
     assert!(run.stderr().contains(worst), "{}", run.stderr());
     let file = std::fs::File::open(folder.path("sweep.parquet")).unwrap();
     let reader = SerializedFileReader::new(file).unwrap();

@@ -59,6 +59,55 @@ fn motions_that_are_wrong_are_warned_of_and_right_ones_are_not() {
     }
 }
 
+/// A laboratory top whose motion is chaotic, for so many seconds that rounding errors have grown to all of its state. Its steps are
+/// short, and the first of them agree with half of them to round-off.
+const CHAOTIC: &str = "[body]\ninertia = [8e-4, 6e-4, 4e-4]\ninertia_about = 'center-of-mass'\nmass = 0.3\n\
+                       gravity = 9.81\nlength = 0.04\ncenter_of_mass = [0.6, 0, 0.8]\n\
+                       [initial]\nangular_velocity = [0, 0, 15]\ninclination = 0.3\n[integrator]\n";
+
+/// No step gives the state at the end of a long chaotic motion, and the estimate says so whatever the step is.
+#[test]
+fn chaos_is_told_from_long_steps() {
+    let folder = Folder::new();
+    for steps in ["step = 0.004\nend = 80", "step = 0.0005\nend = 80"] {
+        let every = "[output]\nevery = 1000\n";
+        let (found, said) = simulate(&folder, &format!("{CHAOTIC}{steps}\n{every}"), &[]);
+        assert_eq!(found["error_estimate"].as_f64(), Some(1.0), "{steps}: {found}");
+        let parts =
+            ["the motion is chaotic: errors grow e-fold in about ", "no step gives the state"];
+        assert!(parts.iter().all(|part| said.contains(part)), "{steps}: {said}");
+    }
+    // Controls: its first two seconds, and a long regular motion.
+    let regular = "[integrator]\nstep = 0.02\nend = 400";
+    let first = format!("{CHAOTIC}step = 0.0005\nend = 2");
+    for config in [first.as_str(), regular] {
+        let (found, said) = simulate(&folder, config, &[]);
+        assert!(found["error_estimate"].as_f64() < Some(1e-8), "{config}: {found}");
+        assert_eq!(said, "", "{config}");
+    }
+}
+
+/// Where the step is left out, it does not turn a top by more than a radian.
+#[test]
+fn steps_that_are_left_out_resolve_the_motion() {
+    let folder = Folder::new();
+    folder.write(
+        "a.toml",
+        "[body]\ninertia = [3.8e-4, 3.8e-4, 3e-4]\nweight_moment = 0.0589\ncenter_of_mass = [0, 0, 1]\n\
+         [initial]\nangular_velocity = [0, 0, 300]\ninclination = '40 deg'\n[integrator]\nend = 1\n\
+         [[sweep.axes]]\nparameter = 'initial.angular_velocity[2]'\nfrom = 100\nto = 300\ncount = 3\n",
+    );
+    let (found, said) = summary(&folder, &["report", "a.toml"]);
+    assert_eq!(said, "");
+    // At most 0.5 rad at 300 rad/s and some swinging.
+    let step = found["step"].as_f64().unwrap();
+    assert!(step < 0.5 / 300.0 && step > 0.5 / 600.0, "{step}");
+    let (_, said) = summary(&folder, &["sweep", "a.toml", "--out", "s"]);
+    assert_eq!(said, "");
+    // Control: the step of a slow top is the usual one.
+    assert_eq!(summary(&folder, &["report"]).0["step"].as_f64(), Some(0.02));
+}
+
 /// The same rule, and the same summary, where the motion is a page or many motions.
 #[test]
 fn pages_and_sweeps_are_warned_of_too() {

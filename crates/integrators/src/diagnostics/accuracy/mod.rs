@@ -4,6 +4,7 @@ mod system_scales;
 mod relative_distance;
 mod sampled_run;
 mod error_growth;
+mod sensitivity;
 mod reported_accuracy;
 mod run_accuracy;
 mod step_check;

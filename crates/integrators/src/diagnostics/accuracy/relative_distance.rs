@@ -46,6 +46,17 @@ impl RelativeDistance {
         Self { blocks: blocks.into_iter().zip(sizes.iter().map(size)).collect() }
     }
 
+    /// Returns a momentum at about this distance from another, in no special direction.
+    pub(super) fn displaced(&self, mu: &[f64], distance: f64) -> Vec<f64> {
+        let mut displaced = mu.to_vec();
+        for (block, size) in &self.blocks {
+            for (number, x) in displaced.get_mut(block.clone()).into_iter().flatten().enumerate() {
+                *x += distance * size * (1.0 + number as f64).cos();
+            }
+        }
+        displaced
+    }
+
     /// Returns the largest |a_b − b_b|/size over the blocks, which is not a number if one of them is not.
     pub(super) fn between(&self, a: &[f64], b: &[f64]) -> f64 {
         let relative = |(block, size): &(Range<usize>, f64)| {

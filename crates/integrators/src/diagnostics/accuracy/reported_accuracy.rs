@@ -17,6 +17,9 @@ pub struct RunAccuracy {
     /// The estimated error, to two digits: the largest |Δμ_b|/|μ_b| over the blocks b of coordinates and over the run. 1
     /// means that nothing of the state is right. It is `None` if the repetition failed.
     pub error: Option<f64>,
+    /// The time in which errors grow e-fold, if the motion is chaotic and magnifies rounding errors to more than
+    /// [`MOST_ERROR`](Self::MOST_ERROR): then no step gives the state at the end.
+    pub chaos: Option<f64>,
 }
 
 impl RunAccuracy {
@@ -26,15 +29,25 @@ impl RunAccuracy {
     /// The largest error without a [warning](Self::warning).
     pub const MOST_ERROR: f64 = 1e-3;
 
+    /// The number of e-folds by which rounding errors of 10⁻¹⁶ become 1.
+    pub(super) const FOLDS: f64 = 37.0;
+
     /// Returns a warning in words if a step turns by more than 1 rad, or if the error is above 10⁻³. It is the same for
     /// every method and system, and ends without a full stop.
     #[must_use]
     pub fn warning(&self) -> Option<String> {
-        let Self { step, order, angle, error } = *self;
+        let Self { step, order, angle, error, chaos } = *self;
         let is_wrong = error.is_some_and(|error| error > Self::MOST_ERROR);
         let is_long = angle > Self::MOST_ANGLE;
         if !(is_wrong || is_long) {
             return None;
+        }
+        if let Some(time) = chaos.filter(|_| !is_long) {
+            return Some(format!(
+                "the motion is chaotic: errors grow e-fold in about {time:.1e} s, so that beyond about {:.1e} s no step \
+                 gives the state; what does not depend on it, such as a section or an exponent, remains right",
+                Self::FOLDS * time
+            ));
         }
         let shorter = |share: f64| step.abs() * if share < 1.0 { share } else { 0.5 };
         let by_error = error.filter(|_| is_wrong).map_or(f64::INFINITY, |error| {
@@ -78,7 +91,7 @@ mod tests {
     use super::*;
 
     fn warning(angle: f64, error: Option<f64>) -> Option<String> {
-        RunAccuracy { step: 0.1, order: 2, angle, error }.warning()
+        RunAccuracy { step: 0.1, order: 2, angle, error, chaos: None }.warning()
     }
 
     #[test]
@@ -117,6 +130,13 @@ mod tests {
         ] {
             assert_eq!(warning(angle, error).unwrap(), expected);
         }
+        let chaotic =
+            RunAccuracy { step: 0.1, order: 8, angle: 0.2, error: Some(1.0), chaos: Some(0.6) };
+        assert_eq!(
+            chaotic.warning().unwrap(),
+            "the motion is chaotic: errors grow e-fold in about 6.0e-1 s, so that beyond about 2.2e1 s no step gives the \
+             state; what does not depend on it, such as a section or an exponent, remains right"
+        );
         // Controls: short steps, and a small error.
         assert_eq!((warning(1.0, Some(1e-3)), warning(0.5, None)), (None, None));
     }

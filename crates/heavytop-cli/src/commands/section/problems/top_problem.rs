@@ -7,15 +7,11 @@ use crate::errors::Error;
 use crate::pictures::caption::{self, number};
 use collective_integrators::Direction;
 use heavytop::methods::{Formulation, Method};
-use heavytop::{EnergyLevel, HeavyTop, Invariant, Section, Surface, SurfaceVariable};
+use heavytop::{EnergyLevel, Invariant, Section, Surface, SurfaceVariable};
 use lie_poisson::Se3Dual;
-use lie_poisson_runs::step_angle::require_turn;
+use lie_poisson_runs::step_angle::{USUAL_TURN, fastest_rate_of_top, require_turn};
 use lie_poisson_runs::{Model, TopInAxes};
 use serde_json::{Map, Value};
-
-/// The largest turn of any body on the energy level in one step, rad, if the configuration gives no step. The Gauss
-/// method of order 8 then conserves the energy to a relative error of some 1e-11.
-const TURN: f64 = 0.5;
 
 /// The section of an energy level of a top, and how its points are computed.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,7 +45,7 @@ impl TopProblem {
         let section = Section::in_axes(level, surface, &axes)?;
         let own = Integration {
             formulation: Formulation::Reduced,
-            step: TURN / fastest(&top, level.energy),
+            step: USUAL_TURN / fastest_rate_of_top(&top, level.energy),
             ..Integration::default()
         };
         let method = config.integrator.or(own).method()?;
@@ -93,7 +89,7 @@ impl SectionProblem for TopProblem {
 
     fn require_step(&self, step: f64) -> Result<(), Error> {
         let EnergyLevel { top, energy, .. } = self.section.level();
-        Ok(require_turn(step, step.abs() * fastest(top, *energy))?)
+        Ok(require_turn(step, step.abs() * fastest_rate_of_top(top, *energy))?)
     }
 
     fn complete(&self, section: SectionConfig) -> SectionConfig {
@@ -211,12 +207,4 @@ pub(super) fn followed(limits: &Limits) -> String {
     let Limits { starts, crossings, longest, .. } = limits;
     let longest = number(*longest);
     format!("{starts} starts, {crossings} returns each, at most {longest} s")
-}
-
-/// Returns an upper bound of the angular velocity on the energy level and of the frequency of a pendulum: √(2(E + m g
-/// l)/I) + √(m g l/I), I the least moment, 1/s.
-fn fastest(top: &HeavyTop, energy: f64) -> f64 {
-    let (weight, moment) = (top.weight_moment(), top.least_moment());
-    let kinetic = (energy + weight).max(0.0);
-    (2.0 * kinetic / moment).sqrt() + (weight / moment).sqrt()
 }

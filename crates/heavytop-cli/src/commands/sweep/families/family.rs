@@ -25,6 +25,15 @@ pub(in crate::commands::sweep) trait Family:
     /// If there is no such member, or its motion turns too far in a step (s).
     fn member(&self, values: &[f64], step: f64) -> Result<(Box<dyn Model>, Vec<f64>), Error>;
 
+    /// Returns the fastest rate of the motion of the member at these values of the axes, 1/s.
+    ///
+    /// # Errors
+    /// If there is no such member.
+    fn fastest_rate(&self, values: &[f64]) -> Result<f64, Error> {
+        let (model, start) = self.member(values, 0.0)?;
+        Ok(model.fastest_rate(&start))
+    }
+
     /// Returns warnings for users: about what the method does not conserve, and about the body.
     fn warnings(&self) -> Vec<String>;
 

@@ -14,7 +14,7 @@ use collective_integrators::AnyState;
 use heavytop::Invariant;
 use heavytop::methods::{Formulation, Method};
 use lie_poisson::Se3Dual;
-use lie_poisson_runs::step_angle::require_sane_step;
+use lie_poisson_runs::step_angle::{fastest_rate_of_top, require_sane_step};
 use lie_poisson_runs::{Model, TopInAxes};
 
 /// Tops whose parameters or initial states differ.
@@ -135,6 +135,12 @@ impl Family for TopFamily {
     fn member(&self, values: &[f64], step: f64) -> Result<(Box<dyn Model>, Vec<f64>), Error> {
         let (model, start) = self.top(values, step)?;
         Ok((Box::new(model), TopInAxes::coordinates(&start).to_vec()))
+    }
+
+    /// Returns an upper bound on the energy level of the start: a top that is let go at rest will fall.
+    fn fastest_rate(&self, values: &[f64]) -> Result<f64, Error> {
+        let (model, start) = self.top(values, 0.0)?;
+        Ok(fastest_rate_of_top(&model.top, Invariant::Energy.value(&model.top, &start)))
     }
 
     fn warnings(&self) -> Vec<String> {

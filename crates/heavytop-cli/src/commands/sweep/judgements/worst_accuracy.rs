@@ -34,7 +34,9 @@ pub(in crate::commands::sweep) fn worst_warning(
 ) -> Option<String> {
     let (measured, members, nouns) = (probes(plan).len(), plan.members, plan.nouns());
     let text = accuracy.warning()?;
-    Some(format!("warning: in the worst of {measured} of {members} {nouns}, {text}"))
+    Some(format!(
+        "warning: in the worst of {measured} that were tried of {members} {nouns}, {text}"
+    ))
 }
 
 /// Returns the numbers of the members that are measured, in ascending order.
