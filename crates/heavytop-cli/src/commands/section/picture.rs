@@ -66,7 +66,7 @@ impl<'a> Picture<'a> {
             None => {
                 let labels = ["0", "π/2", "π", "3π/2", "2π"].into_iter().map(String::from);
                 let ticks = [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().zip(labels).collect();
-                Scale { ticks, title, line: None }
+                Scale { ticks, title, ..Scale::default() }
             }
         };
         let diameter = (INK / survey.points.max(1) as f64).sqrt().min(LARGEST);

@@ -114,8 +114,10 @@ Written into the folder:
                   a top that could not be followed has nulls and the reason there, no other has;
                   if all fail, the table is kept as sweep.parquet.partial, and the exit code is 1
   NAME.svg .png   for a grid with two axes and at most 4096 × 4096 tops, a map of each column: the
-                  first axis is the abscissa; the colours span all values but half a percent at
-                  either end; gray has no value; the value 2 of MEGNO, regular motion, is marked;
+                  first axis is the abscissa; values of both signs are blue and red about white, 0;
+                  MEGNO is white at 2, regular motion, and red in chaos; gray has no value. Of the
+                  half percent of values at either end those that would widen the scale by more than
+                  a tenth lie beyond it: the bar of colours ends in a point, the caption counts them;
                   for a single axis and at most 65536 tops, a curve of each column, with gaps where
                   there is no value, or dots where the axis is random
   sweep.csv       where there are curves, the table of sweep.parquet as text: an empty cell for a
