@@ -3,6 +3,7 @@
 mod top;
 mod integrator_config;
 mod system;
+mod plane_limits;
 mod section_config;
 mod sweep;
 mod notes;
@@ -17,6 +18,7 @@ pub(crate) use config::IMPOSSIBLE;
 pub use integrator_config::{Instructions, Integration, IntegratorConfig};
 pub use notes::Notes;
 pub use output_config::OutputConfig;
+pub use plane_limits::PlaneLimits;
 pub use preset::Preset;
 pub use section_config::SectionConfig;
 pub use sweep::{
