@@ -135,8 +135,34 @@ mod tests {
             assert_eq!(collisions(&drawing, (WIDTH.into(), HEIGHT.into())), [""; 0], "{size}");
             let texts = texts(&drawing);
             let has = |part: &str| texts.iter().any(|text| text.contains(part));
-            assert!(has("Pi1 + Pi2") && has("Pi3") && has("Gamma3 = 0, increasing"), "{texts:?}");
+            assert!(has("Π₁ + Π₂") && has("Π₃") && has("Γ₃ = 0, increasing"), "{texts:?}");
         }
+    }
+
+    /// A formula that is longer than its axis ends in an ellipsis there, and is whole in the caption and in the description.
+    #[test]
+    fn long_formulas_are_whole_in_the_caption_and_in_the_description() {
+        let axis = vec!["Pi1^2*Gamma3"; 12].join(" + ");
+        let text = format!(
+            "system.algebra = 'se(3)'\nsystem.hamiltonian = '|Pi|^2 + Gamma3 + {}'\n\
+             section.surface = 'Gamma3'\nsection.axes = ['{axis}', 'Pi3']\n\
+             system.initial = {{ Pi = [1, 2, 3], Gamma = [0, 0, 1] }}",
+            vec!["Gamma1^2"; 100].join(" + ")
+        );
+        let settings = Settings::of(&toml::from_str(&text).unwrap()).unwrap();
+        let mut survey = Survey::new(&settings);
+        [-1.3, 1.3].into_iter().for_each(|y| survey.plane.include([y, y]));
+        let drawing = Picture::begin(&settings, &survey).unwrap().complete().unwrap();
+        assert_eq!(collisions(&drawing, (WIDTH.into(), HEIGHT.into())), [""; 0]);
+        let texts = texts(&drawing);
+        assert!(texts.iter().any(|text| text.starts_with("Π₁²*Γ₃") && text.ends_with('…')));
+        let count = |text: &str, part: &str| text.matches(part).count();
+        let (_, description) = drawing.split_once("<desc>").unwrap();
+        let (description, _) = description.split_once("</desc>").unwrap();
+        assert_eq!((count(description, "Γ₁²"), count(description, "Π₁²*Γ₃")), (100, 12));
+        let caption: Vec<&str> =
+            texts.iter().map(String::as_str).filter(|text| !text.ends_with(")")).collect();
+        assert!(count(&caption.join(" "), "Γ₁²") < 100);
     }
 
     #[test]

@@ -8,6 +8,7 @@ use crate::pictures::charts::frame::HEIGHT;
 use crate::pictures::charts::scaled_chart::Chart;
 use crate::pictures::colour_scale::colour;
 use crate::pictures::raster::{cells, range};
+use crate::pictures::symbols::symbol;
 use crate::pictures::{Axis, Frame, Scale};
 use plotters::prelude::*;
 use svg_pictures::SvgElement;
@@ -77,7 +78,7 @@ impl SamplePicture for LatticePlane<'_> {
         let range = range(self.ends.into_iter());
         let axis = |count: usize| Axis::new(-0.5, count as f64 - 0.5, 5);
         let ordinate = Scale::linear(&axis(ny), "second index", false);
-        let title = format!("{}₃", self.name);
+        let title = format!("{}₃", symbol(&self.name));
         let scale = Scale::linear(&Axis::new(range[0], range[1], 4), &title, false);
         let what = match nz {
             1 => format!("t = {} s", number(time)),

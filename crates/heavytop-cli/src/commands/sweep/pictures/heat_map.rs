@@ -164,17 +164,17 @@ mod tests {
         for part in [
             "9 runs",
             "reduced, gauss-8, step 0.1 s",
-            "c1 = Pi·Gamma",
-            "c2 = |Gamma|^2",
-            "I = (1, I2, 3)",
+            "c₁ = Π·Γ",
+            "c₂ = |Γ|²",
+            "I = (1, I₂, 3)",
             "c = (0, 0, 1)",
             "k = 0.25",
-            "Pi(0) = (1, 0.5, 0.3)",
-            "Gamma(0) = (Gamma1, 0, 0.8)",
+            "Π(0) = (1, 0.5, 0.3)",
+            "Γ(0) = (Γ₁, 0, 0.8)",
         ] {
             assert!(caption.contains(part), "{part}: {caption}");
         }
-        for title in ["I2", "Gamma1(0)", "deviation of c1"] {
+        for title in ["I₂", "Γ₁(0)", "deviation of c₁"] {
             assert!(written.iter().any(|text| text == title), "{title}: {written:?}");
         }
         let blank = heat_map(&plan, [3, 3], &plan.columns[0], &[None; 9], 9).unwrap();
