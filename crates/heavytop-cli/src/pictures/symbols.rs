@@ -50,7 +50,14 @@ pub(crate) fn formula(text: &str) -> String {
             },
             // The digits below the line end a name, and are no number.
             _ if is_in_name(first) && !first.is_ascii_digit() && !is_function => {
-                written += &symbol(token);
+                let index = index(after).filter(|_| !token.ends_with(|c: char| c.is_ascii_digit()));
+                match index {
+                    Some(index) => {
+                        written += &symbol(&format!("{token}{index}"));
+                        rest = &after[index.len() + 2..];
+                    }
+                    None => written += &symbol(token),
+                }
             }
             _ => written += token,
         }
@@ -80,6 +87,12 @@ fn exponent(text: &str) -> Option<char> {
     let digit = letters.next()?.to_digit(10)?;
     let goes_on = letters.next().is_some_and(|next| is_in_name(next) || next == '.');
     (!goes_on).then(|| RAISED[digit as usize])
+}
+
+/// Returns the index in brackets with which a text begins: that of a component, such as Pi[1].
+fn index(text: &str) -> Option<&str> {
+    let (index, _) = text.strip_prefix('[')?.split_once(']')?;
+    (!index.is_empty() && index.chars().all(|c| c.is_ascii_digit())).then_some(index)
 }
 
 fn greek(name: &str) -> Option<char> {
@@ -121,6 +134,7 @@ mod tests {
             ("atan2(Gamma2, Gamma1)", "atan2(Γ₂, Γ₁)"),
             ("1.5e-3*x1^10 - 2e5*mu^0.5", "1.5e-3*x₁^10 - 2e5*μ^0.5"),
             ("(Pi×Gamma)[3]^3", "(Π×Γ)[3]³"),
+            ("Pi[1]^2/I[1] + Pi1[2]", "Π₁²/I₁ + Π₁[2]"),
             ("x^y2^2", "x^y₂²"),
             ("if(Pi1 < 2, Π₁, 0)", "if(Π₁ < 2, Π₁, 0)"),
         ];

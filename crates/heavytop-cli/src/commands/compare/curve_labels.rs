@@ -1,7 +1,7 @@
 //! Where the names of curves have room beside them: [`CurveLabels`].
 
 /// A rectangle: left, top, right, bottom.
-type Box = [f64; 4];
+type Room = [f64; 4];
 
 /// The distance of a name from its curve, as a multiple of the size of the text.
 const APART: f64 = 0.6;
@@ -18,7 +18,7 @@ pub(super) struct CurveLabels {
     size: f64,
     /// The points of the curves.
     points: Vec<(f64, f64)>,
-    taken: Vec<Box>,
+    taken: Vec<Room>,
 }
 
 impl CurveLabels {
@@ -59,19 +59,19 @@ impl CurveLabels {
         place
     }
 
-    fn around(&self, (left, y): (f64, f64), width: f64) -> Box {
+    fn around(&self, (left, y): (f64, f64), width: f64) -> Room {
         let half = 0.6 * self.size;
         [left, y - half, left + width, y + half]
     }
 
-    fn is_free(&self, [left, top, right, bottom]: Box) -> bool {
+    fn is_free(&self, [left, top, right, bottom]: Room) -> bool {
         let inside = left >= 0.0 && top >= 0.0 && right <= self.field.0 && bottom <= self.field.1;
         let covers = |&(x, y): &(f64, f64)| x >= left && x <= right && y >= top && y <= bottom;
         inside && !self.is_taken([left, top, right, bottom]) && !self.points.iter().any(covers)
     }
 
-    fn is_taken(&self, [left, top, right, bottom]: Box) -> bool {
-        let meets = |other: &Box| {
+    fn is_taken(&self, [left, top, right, bottom]: Room) -> bool {
+        let meets = |other: &Room| {
             left < other[2] && other[0] < right && top < other[3] && other[1] < bottom
         };
         self.taken.iter().any(meets)
@@ -90,7 +90,7 @@ mod tests {
         let curves: Vec<Vec<(f64, f64)>> = [0.0, 0.3, 0.6, 0.9].map(curve).into();
         let mut labels = CurveLabels::new((30.0, 20.0), 1.0, &curves);
         let places: Vec<_> = curves.iter().map(|curve| labels.place(curve, 4.0)).collect();
-        let boxes: Vec<Box> = places.into_iter().map(|place| labels.around(place, 4.0)).collect();
+        let boxes: Vec<Room> = places.into_iter().map(|place| labels.around(place, 4.0)).collect();
         for (n, one) in boxes.iter().enumerate() {
             for other in &boxes[..n] {
                 let is_apart = one[0] >= other[2]
@@ -101,7 +101,7 @@ mod tests {
             }
             let inside =
                 |&(x, y): &(f64, f64)| x > one[0] && x < one[2] && y > one[1] && y < one[3];
-            assert!(!curves.iter().flatten().any(|point| inside(point)), "{one:?}");
+            assert!(!curves.iter().flatten().any(inside), "{one:?}");
         }
     }
 

@@ -64,7 +64,8 @@ impl<'a> Picture<'a> {
         let frame =
             Frame::new(HEIGHT, &caption, Scale::linear(&axis, &quantity, false), Some(bar))?;
         let (across, abscissa) = survey.plane.abscissa(&title, frame.length());
-        let diameter = (INK / survey.points.max(1) as f64).sqrt().min(LARGEST);
+        let diameter =
+            (INK / survey.points.saturating_sub(outside).max(1) as f64).sqrt().min(LARGEST);
         let chart = frame.chart(abscissa)?;
         Ok(Self { means, range, axis, across, diameter, frame, chart })
     }
@@ -142,12 +143,12 @@ mod tests {
     /// A formula that is longer than its axis ends in an ellipsis there, and is whole in the caption and in the description.
     #[test]
     fn long_formulas_are_whole_in_the_caption_and_in_the_description() {
-        let axis = vec!["Pi1^2*Gamma3"; 12].join(" + ");
+        let axis = ["Pi1^2*Gamma3"; 12].join(" + ");
         let text = format!(
             "system.algebra = 'se(3)'\nsystem.hamiltonian = '|Pi|^2 + Gamma3 + {}'\n\
              section.surface = 'Gamma3'\nsection.axes = ['{axis}', 'Pi3']\n\
              system.initial = {{ Pi = [1, 2, 3], Gamma = [0, 0, 1] }}",
-            vec!["Gamma1^2"; 100].join(" + ")
+            ["Gamma1^2"; 100].join(" + ")
         );
         let settings = Settings::of(&toml::from_str(&text).unwrap()).unwrap();
         let mut survey = Survey::new(&settings);

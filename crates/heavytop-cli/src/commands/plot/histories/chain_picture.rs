@@ -42,6 +42,6 @@ pub(in crate::commands::plot) fn chain_picture(run: &RunArrays) -> Result<String
     let frame = Frame::new(HEIGHT, &caption, ordinate, Some(scale))?;
     let mut chart = frame.chart(TimeAxis::new(&run.times).scale(frame.length()))?;
     let size = [columns.len() as u32, rows as u32];
-    chart.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], size, &spins, Some(range), 255)?])?;
+    chart.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], size, &spins, range)?])?;
     frame.complete(chart, colour)
 }

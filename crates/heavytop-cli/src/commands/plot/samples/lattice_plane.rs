@@ -87,7 +87,7 @@ impl SamplePicture for LatticePlane<'_> {
         let frame = Frame::new(HEIGHT, &self.run.caption(what), ordinate, Some(scale))?;
         let mut chart = frame.chart(Scale::linear(&axis(nx), "first index", false))?;
         let size = [nx as u32, ny as u32];
-        chart.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], size, &thirds, Some(range), 255)?])?;
+        chart.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], size, &thirds, range)?])?;
         draw_arrows(&chart, [nx, ny], |x, y| {
             let [first, second, _] = self.spin(spins, x, y);
             [first / self.longest, second / self.longest]
