@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 # M. Okabe & K. Ito, Color universal design (2008).
-COLOURS = ["#0072B2", "#D55E00", "#E69F00", "#282828"]
+COLOURS = ["#0072B2", "#D55E00"]
 TOPS = {"lagrange": ("Lagrange", "Pi3", "Π₃"), "kovalevskaya": ("Kovalevskaya", "K", "K")}
 METHODS = {
     "gauss-16": ("collective Gauss-16", "1/4"),
@@ -19,6 +19,8 @@ METHODS = {
 }
 # Larger deviations are truncation errors, not round-off.
 LARGEST_DRAWN = 1e-6
+# What the rounding of a step changes, about.
+ROUND_OFF = 1e-16
 # Of all lags up to this part of the run there are at least four intervals.
 LONGEST_LAG = 0.25
 
@@ -62,27 +64,47 @@ def rows(runs, steps):
             )
 
 
+def envelope(deviations):
+    """Returns the largest size so far of the deviations of some quantities."""
+    return np.maximum.accumulate(np.max(np.abs(list(deviations)), axis=0))
+
+
 def draw(runs, steps, path):
-    """Draws the deviations of each run."""
-    figure, panels = plt.subplots(2, 2, figsize=(11, 7), sharex=True, layout="constrained")
-    for panel, ((top, method), run) in zip(panels.T.flat, runs.items()):
-        # The midpoint rule changes h and K with its own error; the table has them.
-        bounded = {name: d for name, d in run.items() if np.max(np.abs(d)) < LARGEST_DRAWN}
-        unit = 10 ** np.floor(np.log10(max(np.max(np.abs(d)) for d in bounded.values())))
-        times = np.linspace(0, steps, len(next(iter(run.values()))))
-        for colour, (name, deviation) in zip(COLOURS, bounded.items()):
-            panel.plot(times, deviation / unit, color=colour, linewidth=1)
+    """Draws, for each top, the largest deviations so far against the number of steps, on logarithmic scales."""
+    figure, panels = plt.subplots(1, 2, figsize=(11, 4.6), sharey=True, layout="constrained")
+    for panel, top in zip(panels, TOPS):
+        labels = []
+        for colour, (method, (name, step)) in zip(COLOURS, METHODS.items()):
+            run = runs[top, method]
+            count = np.linspace(0, steps, len(run["h"]))[1:]
+            exact = {q: d for q, d in run.items() if np.max(np.abs(d)) < LARGEST_DRAWN}
+            line = envelope(exact.values())[1:]
+            panel.plot(count, line, color=colour, linewidth=2)
+            labels.append((line[-1], colour, f"{name}, {step} s:\n" + ", ".join(exact)))
+            if "h" not in exact:
+                # The midpoint rule changes h with its own error, which does not grow.
+                line = envelope([run["h"]])[1:]
+                panel.plot(count, line, color=colour, linewidth=2, linestyle="--")
+                labels.append((line[-1], colour, f"{name}: h"))
+        walk = ROUND_OFF * np.sqrt(count)
+        panel.plot(count, walk, color="#969696", linewidth=1, linestyle=":")
+        panel.annotate(
+            "random walk, $10^{-16}\\sqrt{n}$", (count[len(count) // 30], walk[len(walk) // 30]), (6, -14),
+            textcoords="offset points", color="#696969", fontsize=9,
+        )
+        panel.loglog()
+        panel.set_title(f"{TOPS[top][0]}'s top", fontsize=11)
+        panel.set_xlabel("steps n")
+        panel.set_xlim(count[0], count[-1])
+        # Names are below one another; those of curves that end at nearly the same height are moved apart.
+        height = None
+        for value, colour, name in sorted(labels, key=lambda label: -label[0]):
+            height = value if height is None else min(value, height / 40)
             panel.annotate(
-                name, (times[-1], deviation[-1] / unit), (4, 0), textcoords="offset points",
-                color=colour, va="center",
+                name, (1, height), (6, 0), xycoords=("axes fraction", "data"),
+                textcoords="offset points", color=colour, va="center", fontsize=9,
             )
-        panel.axhline(0, color="#969696", linewidth=0.5)
-        name, step = METHODS[method]
-        panel.set_title(f"{TOPS[top][0]}'s top, {name}, steps of {step} s", fontsize=11)
-        panel.set_ylabel(f"relative deviation / $10^{{{round(np.log10(unit))}}}$")
-        panel.margins(x=0)
-    for panel in panels[-1]:
-        panel.set_xlabel("steps")
+    panels[0].set_ylabel("largest relative deviation so far")
     figure.savefig(path, dpi=110)
 
 

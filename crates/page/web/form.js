@@ -47,7 +47,7 @@ class Form {
       });
     }
     this.choose("method", METHODS.findIndex(({ name }) => name === "gauss-8"));
-    this.chooseStep(0.02);
+    this.chooseStep(0.1);
     byId("speed").value = 1;
     this.fill(0);
   }

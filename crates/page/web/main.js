@@ -112,6 +112,8 @@ async function start() {
   player.catchUp = Math.max(Number(request.get("time")) || 0, 0);
   const still = matchMedia("(prefers-reduced-motion: reduce)").matches || request.get("play") === "0";
   player.toggle(!still || player.catchUp > 0);
+  // Somebody who only looks sees what a method changes; whoever does anything ends the opening.
+  player.opens = !still && [...request.keys()].length === 0;
   player.pauseAt = still && player.catchUp > 0 ? player.catchUp : undefined;
 }
 

@@ -11,6 +11,9 @@ const MOST_TRACE = 500;
 const TRACE_SPACING = 0.025;
 const MOST_CHORD = 0.8;
 
+/** The opening of a page without wishes in its address: the method changes at a time, s, so that a difference shows at once. */
+const OPENING = { time: 2.5, method: "explicit-midpoint" };
+
 class Player {
   constructor(library, form) {
     Object.assign(this, { library, form, playing: false, interrupted: false, pending: false, catchUp: 0, dirty: true });
@@ -49,6 +52,7 @@ class Player {
 
   /** What begins anew with each throw. */
   restart() {
+    this.opens = false;
     Object.assign(this, { shown: 0, tip: [], catchUp: 0, largest: 0 });
     this.changes = [{ time: 0, method: this.form.method }];
     this.scene.show(this.parameters.inertia, 1);
@@ -57,6 +61,7 @@ class Player {
   }
 
   changeMethod(method) {
+    this.opens = false;
     this.trying(() => {
       this.library.attempt("change_method", method, this.shown);
       const last = this.changes.at(-1);
@@ -66,6 +71,7 @@ class Player {
   }
 
   changeStep(step) {
+    this.opens = false;
     this.trying(() => this.library.attempt("change_step", step));
   }
 
@@ -148,6 +154,11 @@ class Player {
         const [what] = error.message.split("; ");
         this.interrupt(`${what}. The top has stopped before this step: choose another method, a shorter step or another throw.`);
       }
+    }
+    if (this.opens && this.shown >= OPENING.time) {
+      const method = METHODS.findIndex(({ name }) => name === OPENING.method);
+      this.form.choose("method", method);
+      this.changeMethod(method);
     }
     this.draw(now);
     if (this.playing) this.frames.count(now, performance.now() - before, this.library.show().steps);

@@ -34,6 +34,7 @@
 //! |---|---|
 //! | a drawing as a file | [`Picture`] |
 //! | a chart that the library plotters composes | [`SvgCanvas`], and [`SvgElement`] for dashes, many dots or lines, and cells |
+//! | a description in words, which the picture keeps | [`SvgCanvas::described`] |
 //! | room for a text before it is drawn | [`width`] |
 //! | where the texts of a drawing are | [`boxes`] |
 //! | a drawing without texts for another renderer | [`outlined`] |

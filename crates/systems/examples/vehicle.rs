@@ -8,8 +8,8 @@
 //! Prints, every 4 s up to t = 40 s, the angle of the impulse P with the long axis, which grows from 1° beyond 150°
 //! and returns. Prints also the deviations of h, |P|² and Π·P, which the collective Gauss method of order 6, in its
 //! form without a lift, keeps below 1e-12. The program fails if a deviation is larger, or the angle stays below 90°. With a
-//! PICTURE (a path ending in .png or .svg), draws the path of the body, seen from the side, and
-//! the angle.
+//! PICTURE (a path ending in .png or .svg), draws the path of the body, seen from the side, from end-on to broadside on, and
+//! the angle over the whole run: without friction the body does not stay there, but swings on.
 
 mod pictures;
 
@@ -62,7 +62,8 @@ fn poses(vehicle: &Kirchhoff, momenta: &[Se3Dual]) -> Result<Vec<Pose>, Box<dyn 
     Ok(poses)
 }
 
-/// Draws the path of the centre, and the long axis of the body each second, in the plane of the first axis and the impulse.
+/// Draws the path of the centre, and the long axis of the body each second, in the plane of the first axis and the impulse,
+/// until the axis is at right angles to the impulse; and the angle between them over the whole run.
 fn draw(path: &Path, poses: &[Pose], impulse: &Vector3<f64>) -> Result<(), Box<dyn Error>> {
     let forward = impulse.normalize();
     let aside = (Vector3::x() - forward * forward.x).normalize();
@@ -71,38 +72,45 @@ fn draw(path: &Path, poses: &[Pose], impulse: &Vector3<f64>) -> Result<(), Box<d
         let axis = pose.attitude * Vector3::z();
         [pose.place - axis * 0.5, pose.place + axis * 0.5].map(seen)
     };
+    let angle = |pose: &Pose| (pose.attitude * Vector3::z()).angle(impulse).to_degrees();
+    let broadside = poses.iter().position(|pose| angle(pose) >= 90.0).unwrap_or(poses.len() - 1);
+    let turning = &poses[..=broadside];
+    let time = broadside as f64 * STEP;
+    let when = format!("t = 0 to {time:.1} s: the long axis of the body each second, and its head");
     let heading = [
         "A torpedo in an ideal fluid turns broadside on",
-        "Gauss method of order 6 without a lift, steps of 0.05 s, t = 0 to 40 s",
+        "Gauss method of order 6 without a lift, steps of 0.05 s",
     ];
-    canvas::save(path, heading, [1300, 600], |area| {
-        let (above, below) = area.split_vertically(250 * PIXEL);
-        let along = around(poses.iter().flat_map(ends).map(|p| p.0));
-        // A metre has the same length on both axes: the frame is 1180 pixels wide and 150 high.
-        let height = (along.end - along.start) * 150.0 / 1180.0;
+    canvas::save(path, heading, [1300, 760], |area| {
+        let (above, below) = area.split_vertically(410 * PIXEL);
+        let along = around(turning.iter().flat_map(ends).map(|p| p.0));
+        // A metre has the same length on both axes: the frame is 1180 pixels wide and 310 high.
+        let height = (along.end - along.start) * 310.0 / 1180.0;
         let frame = Axes {
-            title: "side view: the long axis of the body each second, and its head",
+            title: &when,
             x: ("distance along the impulse P (m)", along),
-            y: ("sideways (m)", -0.6 * height..0.4 * height),
+            y: ("sideways (m)", -0.75 * height..0.25 * height),
             grid: true,
         };
         let mut chart = axes(&above, &frame, &[])?;
-        let line = poses.iter().map(|pose| seen(pose.place));
-        chart.draw_series(LineSeries::new(line, GREY.stroke_width(PIXEL as u32)))?;
-        for pose in poses.iter().step_by(20) {
+        let line = turning.iter().map(|pose| seen(pose.place));
+        chart.draw_series(LineSeries::new(line, GREY.stroke_width(2 * PIXEL as u32)))?;
+        // Backward from the last pose, which is broadside on.
+        for pose in turning.iter().rev().step_by(20) {
             let [tail, head] = ends(pose);
             chart
-                .draw_series(LineSeries::new([tail, head], BLUE.stroke_width(3 * PIXEL as u32)))?;
-            chart.draw_series([Circle::new(head, 4 * PIXEL, RED.filled())])?;
+                .draw_series(LineSeries::new([tail, head], BLUE.stroke_width(5 * PIXEL as u32)))?;
+            chart.draw_series([Circle::new(head, 7 * PIXEL, RED.filled())])?;
         }
-        let angle = |pose: &Pose| (pose.attitude * Vector3::z()).angle(impulse).to_degrees();
+        let curve = |name: &str, colour, points| Curve { name: name.into(), colour, points };
         let points = poses.iter().enumerate().map(|(n, pose)| (n as f64 * STEP, angle(pose)));
-        let curve = Curve { name: String::new(), colour: BLUE, points: points.collect() };
+        let end = (poses.len() - 1) as f64 * STEP;
+        let right = curve("broadside on, 90°", RED, vec![(0.0, 90.0), (end, 90.0)]);
         curves(
             &below,
-            "angle of the long axis with the impulse P",
-            ["t (s)", "angle (°)"],
-            &[curve],
+            "",
+            ["t (s)", "angle with P (°)"],
+            &[curve("angle of the long axis with the impulse P", BLUE, points.collect()), right],
         )?;
         Ok(())
     })

@@ -3,6 +3,7 @@
 mod top;
 mod integrator_config;
 mod system;
+mod plane_limits;
 mod section_config;
 mod events_config;
 mod sweep;
@@ -19,6 +20,7 @@ pub use events_config::EventsConfig;
 pub use integrator_config::{Instructions, Integration, IntegratorConfig};
 pub use notes::Notes;
 pub use output_config::OutputConfig;
+pub use plane_limits::PlaneLimits;
 pub use preset::Preset;
 pub use section_config::SectionConfig;
 pub use sweep::{

@@ -1,5 +1,6 @@
 //! The table `[section]`: which Poincaré section, and how many points.
 
+use super::plane_limits::PlaneLimits;
 use super::system::Numbers;
 use crate::errors::Error;
 use crate::vocabulary::named::{by_name, name_of};
@@ -38,6 +39,9 @@ pub struct SectionConfig {
     /// The initial states of the motions of a system, instead of random starts: values of the coordinates, by name.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub states: Vec<BTreeMap<String, Numbers>>,
+    /// The part of the plane that the picture shows; by default that with the points.
+    #[serde(skip_serializing_if = "is_default")]
+    pub limits: PlaneLimits,
 }
 
 impl Default for SectionConfig {
@@ -54,6 +58,7 @@ impl Default for SectionConfig {
             seed: 0,
             axes: None,
             states: Vec::new(),
+            limits: PlaneLimits::default(),
         }
     }
 }
@@ -94,6 +99,10 @@ impl SectionConfig {
             None => Ok(()),
         }
     }
+}
+
+fn is_default(limits: &PlaneLimits) -> bool {
+    *limits == PlaneLimits::default()
 }
 
 const DIRECTIONS: &[(&str, Direction)] =

@@ -312,6 +312,18 @@ pub enum Error {
         /// The kind of section that has the key.
         of: &'static str,
     },
+    /// The limits of the picture of a section are no range.
+    #[error("[section] limits.{axis} must be {needs}, got [{}, {}]", number(*from), number(*to))]
+    PlaneLimits {
+        /// The axis: x or y.
+        axis: &'static str,
+        /// What the limits must be, in words.
+        needs: &'static str,
+        /// The lower limit.
+        from: f64,
+        /// The upper limit.
+        to: f64,
+    },
     /// A state that is given does not reach the surface.
     #[error("[section] state {state} does not cross the surface within {longest} s")]
     NeverCrosses {

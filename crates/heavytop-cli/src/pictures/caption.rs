@@ -1,6 +1,7 @@
 //! The words of captions: how a motion was computed, and of which top.
 
 use super::numerals::significant;
+use super::symbols;
 use heavytop::HeavyTop;
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::{Covector, Pair, Se3Dual};
@@ -16,6 +17,16 @@ pub(crate) fn number(x: f64) -> String {
 /// Returns a text of a user as the inside of an SVG text.
 pub(crate) fn plain(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// Returns a formula as the inside of an SVG text, with the symbols of its names.
+pub(crate) fn formula(text: impl ToString) -> String {
+    plain(&symbols::formula(&text.to_string()))
+}
+
+/// Returns the equation of a Hamiltonian.
+pub(crate) fn hamiltonian(text: impl ToString) -> String {
+    format!("<tspan font-style='italic'>h</tspan> = {}", formula(text))
 }
 
 /// Formats a vector of a caption.

@@ -19,18 +19,83 @@ pub(crate) fn fitting(text: &str, size: f64, length: f64) -> f64 {
     size.min(length / width(text).max(f64::MIN_POSITIVE))
 }
 
-/// Joins the parts of a caption to lines of at most this width, a multiple of the size of the text.
+/// The largest number of lines of a caption, but for parts that are short.
+const MOST_LINES: usize = 8;
+
+/// The numbers of characters after which a part of a caption is cut: the first with which the lines are not too many.
+const CUTS: [usize; 4] = [400, 200, 100, 60];
+
+/// Joins the parts of a caption to lines of at most this width, a multiple of the size of the text. A part that is wider has
+/// lines of its own. If there are too many lines, long parts end in an ellipsis.
 pub(crate) fn lines(parts: &[String], most: f64) -> Vec<String> {
+    let cut = |count: usize| {
+        let parts: Vec<String> = parts.iter().map(|part| shortened(part, count)).collect();
+        joined(&parts, most)
+    };
+    let mut lines = Vec::new();
+    for count in CUTS {
+        lines = cut(count);
+        if lines.len() <= MOST_LINES {
+            break;
+        }
+    }
+    lines
+}
+
+fn joined(parts: &[String], most: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for part in parts {
         match lines.last_mut() {
             Some(line) if width(&format!("{line}; {part}")) <= most => {
                 *line += &format!("; {part}")
             }
-            _ => lines.push(part.clone()),
+            _ => lines.extend(broken(part, most)),
         }
     }
     lines
+}
+
+/// Breaks a text between words into lines of at most this width. A word that is wider has a line of its own.
+fn broken(text: &str, most: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words(text) {
+        match lines.last_mut() {
+            Some(line) if width(&format!("{line} {word}")) <= most => *line += &format!(" {word}"),
+            _ => lines.push(word.into()),
+        }
+    }
+    lines
+}
+
+/// Returns the words of a text, which may contain elements in which no space is between words.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    let mut depth = 0;
+    text.split(move |letter| {
+        depth += i32::from(letter == '<') - i32::from(letter == '>');
+        letter == ' ' && depth == 0
+    })
+}
+
+/// Returns the text, or its first characters and an ellipsis. It is not cut inside of an element or of a sign of SVG.
+pub(crate) fn shortened(text: &str, most: usize) -> String {
+    let (mut shown, mut is_mark, mut depth) = (0, false, 0_i32);
+    for (place, letter) in text.char_indices() {
+        if shown == most && !is_mark && depth == 0 && letter != '<' {
+            return format!("{}…", &text[..place]);
+        }
+        match letter {
+            '<' if text[place..].starts_with("</") => (is_mark, depth) = (true, depth - 1),
+            '<' => (is_mark, depth) = (true, depth + 1),
+            '&' => is_mark = true,
+            '>' | ';' if is_mark => {
+                is_mark = false;
+                shown += usize::from(letter == ';');
+            }
+            _ if !is_mark && shown < most => shown += 1,
+            _ => {}
+        }
+    }
+    text.into()
 }
 
 /// Checks of drawings: where their texts are.
@@ -98,6 +163,25 @@ mod tests {
         let parts = ["one", "two", "three"].map(String::from);
         assert_eq!(lines(&parts, 100.0), ["one; two; three"]);
         assert_eq!(lines(&parts, width("one; two")), ["one; two", "three"]);
+        // What is wider than a line has several, between its words.
+        let long = ["<tspan font-style='italic'>h</tspan> = a + b + c".to_owned()];
+        let found = lines(&long, width("h = a + b"));
+        assert_eq!(found, ["<tspan font-style='italic'>h</tspan> = a + b", "+ c"]);
+    }
+
+    #[test]
+    fn long_parts_are_cut_with_a_mark_where_there_are_many() {
+        let part = |count: usize| {
+            format!("<tspan font-style='italic'>h</tspan> = {}", "x + ".repeat(count))
+        };
+        let few = lines(&[part(50)], 60.0).join(" ");
+        assert!(!few.contains('…') && few.matches('x').count() == 50);
+        let many = lines(&vec![part(500); 7], 60.0);
+        assert!(many.len() <= 3 * 7 && many.iter().filter(|line| line.contains('…')).count() == 7);
+        // A cut is neither inside of a sign of SVG nor of an element.
+        assert_eq!(shortened("a &lt; b", 3), "a &lt;…");
+        assert_eq!(shortened("<tspan>abc</tspan>d", 1), "<tspan>abc</tspan>…");
+        assert_eq!(shortened("abc", 3), "abc");
     }
 
     /// Negative control: the checks of pictures find texts that overlap, and texts that are cut.

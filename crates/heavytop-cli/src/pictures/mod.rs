@@ -1,6 +1,7 @@
 //! The common parts of all pictures: axes, colours, captions, curves, text as outlines, PNG and films.
 
 pub(crate) mod numerals;
+pub(crate) mod symbols;
 pub(crate) mod lettering;
 pub(crate) mod colour_scale;
 pub(crate) mod caption;

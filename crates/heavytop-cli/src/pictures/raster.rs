@@ -19,7 +19,7 @@ pub(crate) fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 /// Returns a field of cells between two corners, as many in a row as the width, in rows from the top. Those that are `None`
-/// are grey, from 0, black, to 255, white.
+/// are white.
 ///
 /// # Errors
 /// If there are too many.
@@ -27,11 +27,9 @@ pub(crate) fn cells(
     corners: [(f64, f64); 2],
     size: [u32; 2],
     values: &[Option<f64>],
-    range: Option<[f64; 2]>,
-    none: u8,
+    [least, most]: [f64; 2],
 ) -> Result<SvgElement<(f64, f64)>, Error> {
-    let [least, most] = range.unwrap_or([0.0, 1.0]);
     let shade = |value: f64| colour((value - least) / (most - least));
-    let colours = values.iter().map(|value| value.map_or([none; 3], shade));
+    let colours = values.iter().map(|value| value.map_or([255; 3], shade));
     Ok(SvgElement::cells(corners, size, colours)?)
 }

@@ -94,6 +94,9 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
         Error::SectionKey { key, .. } => {
             vec![repair(&format!("section.{key}"), "remove the key".into())]
         }
+        Error::PlaneLimits { axis, .. } => {
+            vec![repair(&format!("section.limits.{axis}"), "write [from, to]".into())]
+        }
         Error::NeverCrosses { state, .. } => {
             let key = format!("section.states[{}]", state.saturating_sub(1));
             vec![repair(&key, String::new()), repair("section.surface", String::new())]

@@ -4,6 +4,7 @@ use super::paints::{paint, painted};
 use crate::error::PictureError;
 use crate::fonts::faces::face;
 use crate::lettering::boxes::width;
+use crate::lettering::description::{characters, description};
 use plotters_backend::text_anchor::{HPos, VPos};
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
@@ -48,6 +49,8 @@ pub struct SvgCanvas {
     size: [u32; 2],
     /// The first tag.
     head: String,
+    /// The element that describes the drawing, if there is one.
+    description: String,
     content: String,
 }
 
@@ -62,12 +65,22 @@ impl SvgCanvas {
             long(width),
             long(height)
         );
-        Self { size: [width, height], head, content: String::new() }
+        Self { size: [width, height], head, description: String::new(), content: String::new() }
+    }
+
+    /// Describes the drawing in words, which programs that read pictures aloud say, and search finds. The text is what may
+    /// stand in an SVG text, of which italics are dropped.
+    ///
+    /// # Errors
+    /// [`PictureError::Xml`] if the text is not well-formed.
+    pub fn described(mut self, text: &str) -> Result<Self, PictureError> {
+        self.description = description(&characters(text)?);
+        Ok(self)
     }
 
     /// Returns what has been drawn as SVG.
     pub fn drawing(&self) -> String {
-        format!("{}{}</svg>", self.head, self.content)
+        format!("{}{}{}</svg>", self.head, self.description, self.content)
     }
 
     /// Adds an element. Writing to a string does not fail.

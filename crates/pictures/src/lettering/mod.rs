@@ -6,3 +6,4 @@ pub(crate) mod row;
 pub(crate) mod text;
 pub(crate) mod outlines;
 pub(crate) mod boxes;
+pub(crate) mod description;

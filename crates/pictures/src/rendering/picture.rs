@@ -2,6 +2,7 @@
 
 use super::pixels::{draw, has_images, invalid};
 use crate::error::PictureError;
+use crate::lettering::description::{described, description};
 use crate::lettering::outlines::outlined;
 use resvg::tiny_skia::{Pixmap, Transform};
 use usvg::{Options, Tree, WriteOptions};
@@ -23,6 +24,8 @@ use usvg::{Options, Tree, WriteOptions};
 #[derive(Debug, Clone)]
 pub struct Picture {
     tree: Tree,
+    /// The characters of the element `desc` of the drawing.
+    description: Option<String>,
 }
 
 impl Picture {
@@ -33,13 +36,24 @@ impl Picture {
     /// others.
     pub fn new(drawing: &str) -> Result<Self, PictureError> {
         let tree = Tree::from_str(&outlined(drawing)?, &Options::default()).map_err(invalid)?;
-        Ok(Self { tree })
+        Ok(Self { tree, description: described(drawing)? })
     }
 
-    /// Returns the picture as SVG, without text and style sheets; paths have two decimals.
+    /// Returns the picture as SVG, without text and style sheets; paths have two decimals. The description of the drawing, an
+    /// element `desc` in the outermost one, stays.
     pub fn svg(&self) -> String {
         let writing = WriteOptions { coordinates_precision: 2, ..WriteOptions::default() };
-        self.tree.to_string(&writing)
+        let svg = self.tree.to_string(&writing);
+        let Some(words) = &self.description else { return svg };
+        let words = description(words);
+        match svg.split_once('>') {
+            // A drawing of nothing.
+            Some((head, rest)) if head.ends_with('/') => {
+                format!("{}>{words}</svg>{rest}", head.trim_end_matches('/'))
+            }
+            Some((head, rest)) => format!("{head}>\n    {words}{rest}"),
+            None => svg,
+        }
     }
 
     /// Returns the picture as PNG with `scale` pixels per unit of its width and height.

@@ -139,3 +139,17 @@ fn a_drawing_is_as_large_as_its_units() {
     assert!(matches!(Picture::new(&drawing), Err(PictureError::Xml { .. })));
     assert!(width("a &lt; b").is_ok());
 }
+
+/// The description goes into the picture, with signs of XML, and without italics.
+#[test]
+fn a_description_stays_in_the_picture() {
+    let words = "<tspan font-style='italic'>h</tspan> = a &lt; b &amp; c";
+    let canvas = SvgCanvas::new([10, 10], 1, "px").described(words).unwrap();
+    let svg = Picture::new(&canvas.drawing()).unwrap().svg();
+    assert!(svg.contains("<desc>h = a &lt; b &amp; c</desc>"), "{svg}");
+    assert!(Picture::new(&svg).is_ok());
+    // Controls: a drawing without a description has none, and what is no XML is refused.
+    let svg = Picture::new(&SvgCanvas::new([10, 10], 1, "px").drawing()).unwrap().svg();
+    assert!(!svg.contains("desc"));
+    assert!(SvgCanvas::new([10, 10], 1, "px").described("a < b").is_err());
+}

@@ -23,6 +23,7 @@ const SCRIPTS: &[&str] = &[
     include_str!("page/common/scene.js"),
     include_str!("page/common/pointers.js"),
     include_str!("page/strip.js"),
+    include_str!("page/pace.js"),
     include_str!("page/controls.js"),
 ];
 
@@ -34,6 +35,9 @@ const SCRIPTS: &[&str] = &[
 /// ```text
 /// semi-axes aᵢ ∝ √(Iⱼ + Iₖ − Iᵢ),    (i, j, k) cyclic
 /// ```
+///
+/// The page shows the first precession, or a tumble of a body without weight, in some ten seconds, and says at which speed.
+/// A body without weight has no post.
 ///
 /// In space, where the page draws, the body is turned by the attitude R, the angular momentum is RΠ
 /// and the vertical RΓ = e₃ |Γ|. The tip is the direction Rc of the centre of mass, c in the body frame.
@@ -83,6 +87,8 @@ struct Motion<'a> {
     /// The numbers of the top and of its start.
     top: String,
     inertia: [f64; 3],
+    /// m g l, N m; a body without weight is free.
+    weight: f64,
     center_of_mass: [f64; 3],
     /// The symbols and units of the invariants.
     invariants: Vec<[&'static str; 2]>,
@@ -148,6 +154,7 @@ impl Animation {
             description: &self.description,
             top: self.words(),
             inertia: self.top.inertia().into(),
+            weight: self.top.weight_moment(),
             center_of_mass: self.top.center_of_mass().into(),
             invariants: self.invariants.iter().map(|i| [i.symbol(), i.unit()]).collect(),
             numbers: BASE64_STANDARD.encode(bytes),

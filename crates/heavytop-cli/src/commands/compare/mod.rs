@@ -2,7 +2,8 @@
 
 mod measurement;
 mod logarithmic_axes;
-mod style;
+mod ranking;
+mod curve_labels;
 mod chart;
 mod recommendations;
 mod compare_command;

@@ -5,7 +5,6 @@ use crate::configuration::{Config, Integration};
 use crate::errors::Error;
 use crate::pictures::caption;
 use crate::runs::Experiment;
-use crate::vocabulary::brief;
 use lie_poisson_formula_systems::SystemKind;
 use lie_poisson_runs::ArraySystem;
 
@@ -41,10 +40,7 @@ impl RunSubject {
         let kind = table.kind.as_deref().and_then(|name| SystemKind::named(name).ok());
         let about = match kind {
             Some(kind) => kind.about.to_owned(),
-            None => {
-                let hamiltonian = brief::text(&run.model.hamiltonian().to_string());
-                format!("<tspan font-style='italic'>h</tspan> = {}", caption::plain(&hamiltonian))
-            }
+            None => caption::hamiltonian(run.model.hamiltonian()),
         };
         let (kind, about) = (kind.map(|kind| kind.name), vec![about]);
         Ok(Self::Coordinates { run: Box::new(run), kind, about })

@@ -2,6 +2,7 @@
 
 mod problems;
 mod settings;
+mod plane_range;
 mod orbits;
 mod survey;
 mod section_summary;

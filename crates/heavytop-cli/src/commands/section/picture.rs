@@ -1,6 +1,7 @@
 //! The picture of a section, as SVG.
 
 use super::orbits::orbit::Orbit;
+use super::plane_range::Abscissa;
 use super::problems::section_problem::Drawing;
 use super::settings::Settings;
 use super::survey::Survey;
@@ -10,7 +11,6 @@ use crate::pictures::charts::scaled_chart::Chart;
 use crate::pictures::colour_scale::colour;
 use crate::pictures::{Axis, Frame, Scale};
 use plotters::style::RGBColor;
-use std::f64::consts::TAU;
 use svg_pictures::SvgElement;
 
 /// The area that all points together cover, in square units.
@@ -33,8 +33,7 @@ pub(super) struct Picture<'a> {
     /// The range of the means.
     range: Axis,
     axis: Axis,
-    /// The axis of the abscissa unless it is an angle.
-    across: Option<Axis>,
+    across: Abscissa,
     diameter: f64,
     frame: Frame,
     chart: Chart<'static>,
@@ -47,8 +46,13 @@ impl<'a> Picture<'a> {
     /// If the caption cannot be drawn.
     pub fn begin(settings: &Settings, survey: &'a Survey) -> Result<Self, Error> {
         let drawing = settings.problem.drawing(&settings.limits);
-        let Drawing { caption, abscissa: (title, is_angle), ordinate: (free, unit) } = drawing;
-        let axis = Axis::around(survey.heights.into_iter(), 6);
+        let Drawing { mut caption, abscissa: (title, _), ordinate: (free, unit) } = drawing;
+        let (axis, outside) = (survey.plane.ordinate(), survey.plane.outside);
+        caption.extend(
+            (outside > 0).then(|| {
+                format!("{outside} of {} points are outside of the limits", survey.points)
+            }),
+        );
         let means = &survey.means;
         let extremes = means
             .iter()
@@ -59,17 +63,9 @@ impl<'a> Picture<'a> {
         let bar = Scale::linear(&range, &format!("mean of |{free}| over a start{unit}"), false);
         let frame =
             Frame::new(HEIGHT, &caption, Scale::linear(&axis, &quantity, false), Some(bar))?;
-        let across = (!is_angle)
-            .then(|| Axis::around_along_line(survey.widths.into_iter(), 6, frame.length()));
-        let abscissa = match &across {
-            Some(across) => Scale::linear(across, &title, false),
-            None => {
-                let labels = ["0", "π/2", "π", "3π/2", "2π"].into_iter().map(String::from);
-                let ticks = [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().zip(labels).collect();
-                Scale { ticks, title, line: None }
-            }
-        };
-        let diameter = (INK / survey.points.max(1) as f64).sqrt().min(LARGEST);
+        let (across, abscissa) = survey.plane.abscissa(&title, frame.length());
+        let diameter =
+            (INK / survey.points.saturating_sub(outside).max(1) as f64).sqrt().min(LARGEST);
         let chart = frame.chart(abscissa)?;
         Ok(Self { means, range, axis, across, diameter, frame, chart })
     }
@@ -81,11 +77,10 @@ impl<'a> Picture<'a> {
     pub fn add(&mut self, orbit: &Orbit) -> Result<(), Error> {
         let mean = self.means.get(orbit.number.saturating_sub(1)).copied().unwrap_or_default();
         let [red, green, blue] = colour(DARK * self.range.along(mean));
-        let place = |[x, y]: [f64; 2]| {
-            let x = self.across.as_ref().map_or(x / TAU, |across| across.along(x));
-            (x, self.axis.along(y))
-        };
-        let points: Vec<_> = orbit.crossings.iter().map(|point| place(point.plane)).collect();
+        let place = |[x, y]: [f64; 2]| (self.across.along(x), self.axis.along(y));
+        let is_inside = |(x, y): &(f64, f64)| [x, y].iter().all(|at| (0.0..=1.0).contains(*at));
+        let points = orbit.crossings.iter().map(|point| place(point.plane));
+        let points: Vec<_> = points.filter(is_inside).collect();
         let dots = SvgElement::dots(points, RGBColor(red, green, blue), self.diameter);
         self.chart.draw_series([dots])?;
         Ok(())
@@ -120,7 +115,8 @@ mod tests {
         let config: Config = toml::from_str(&text).unwrap();
         let settings = Settings::of(&config).unwrap();
         let mut survey = Survey::new(&settings);
-        (survey.points, survey.heights) = (2, [-1.3 * size, 1.3 * size]);
+        survey.points = 2;
+        [-1.3, 1.3].into_iter().for_each(|y| survey.plane.include([2.0 + y, y * size]));
         survey.means = vec![0.2 * size, 0.9 * size];
         Picture::begin(&settings, &survey).unwrap().complete().unwrap()
     }
@@ -134,13 +130,40 @@ mod tests {
         let mut survey = Survey::new(&settings);
         (survey.points, survey.means) = (2, vec![0.2, 0.9]);
         for size in [1e-20, 1.0, 1e20] {
-            (survey.widths, survey.heights) = ([-1.4 * size, 1.4 * size], [-1.3, 1.3]);
+            let mut survey = survey.clone();
+            [-1.3, 1.3].into_iter().for_each(|y| survey.plane.include([1.1 * y * size, y]));
             let drawing = Picture::begin(&settings, &survey).unwrap().complete().unwrap();
             assert_eq!(collisions(&drawing, (WIDTH.into(), HEIGHT.into())), [""; 0], "{size}");
             let texts = texts(&drawing);
             let has = |part: &str| texts.iter().any(|text| text.contains(part));
-            assert!(has("Pi1 + Pi2") && has("Pi3") && has("Gamma3 = 0, increasing"), "{texts:?}");
+            assert!(has("Π₁ + Π₂") && has("Π₃") && has("Γ₃ = 0, increasing"), "{texts:?}");
         }
+    }
+
+    /// A formula that is longer than its axis ends in an ellipsis there, and is whole in the caption and in the description.
+    #[test]
+    fn long_formulas_are_whole_in_the_caption_and_in_the_description() {
+        let axis = ["Pi1^2*Gamma3"; 12].join(" + ");
+        let text = format!(
+            "system.algebra = 'se(3)'\nsystem.hamiltonian = '|Pi|^2 + Gamma3 + {}'\n\
+             section.surface = 'Gamma3'\nsection.axes = ['{axis}', 'Pi3']\n\
+             system.initial = {{ Pi = [1, 2, 3], Gamma = [0, 0, 1] }}",
+            ["Gamma1^2"; 100].join(" + ")
+        );
+        let settings = Settings::of(&toml::from_str(&text).unwrap()).unwrap();
+        let mut survey = Survey::new(&settings);
+        [-1.3, 1.3].into_iter().for_each(|y| survey.plane.include([y, y]));
+        let drawing = Picture::begin(&settings, &survey).unwrap().complete().unwrap();
+        assert_eq!(collisions(&drawing, (WIDTH.into(), HEIGHT.into())), [""; 0]);
+        let texts = texts(&drawing);
+        assert!(texts.iter().any(|text| text.starts_with("Π₁²*Γ₃") && text.ends_with('…')));
+        let count = |text: &str, part: &str| text.matches(part).count();
+        let (_, description) = drawing.split_once("<desc>").unwrap();
+        let (description, _) = description.split_once("</desc>").unwrap();
+        assert_eq!((count(description, "Γ₁²"), count(description, "Π₁²*Γ₃")), (100, 12));
+        let caption: Vec<&str> =
+            texts.iter().map(String::as_str).filter(|text| !text.ends_with(")")).collect();
+        assert!(count(&caption.join(" "), "Γ₁²") < 100);
     }
 
     #[test]

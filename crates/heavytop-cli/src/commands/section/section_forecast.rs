@@ -80,7 +80,7 @@ fn seconds(settings: &Settings, starts: &[Vec<f64>]) -> Result<f64, Error> {
     let (steps, crossings) = (all.steps.min(MOST_STEPS), all.crossings.min(MOST_RETURNS));
     let longest = steps as f64 * all.step.abs();
     let limits = Limits { steps, crossings, longest, ..all };
-    let shortened = Settings { problem: settings.problem.clone(), limits };
+    let shortened = Settings { limits, ..settings.clone() };
     time_of_all(starts.len() as u64, |number| {
         let Some(start) = starts.get(number as usize) else { return Ok(0.0) };
         let begun = Instant::now();

@@ -4,7 +4,7 @@ use super::problems::limits::Limits;
 use super::problems::section_problem::SectionProblem;
 use super::problems::system_problem::SystemProblem;
 use super::problems::top_problem::TopProblem;
-use crate::configuration::{Config, Integration, SectionConfig};
+use crate::configuration::{Config, Integration, PlaneLimits, SectionConfig};
 use crate::errors::Error;
 use crate::formats::run_table::require_distinct;
 use lie_poisson_runs::{MOST_STEPS, RunFailure, directed_step};
@@ -18,6 +18,8 @@ const MOST_POINTS: f64 = 1e7;
 pub(super) struct Settings {
     pub problem: Arc<dyn SectionProblem>,
     pub limits: Limits,
+    /// The part of the plane that the picture shows.
+    pub plane: PlaneLimits,
 }
 
 impl Settings {
@@ -73,7 +75,8 @@ impl Settings {
         }
         let (starts, crossings, steps) = (starts as usize, crossings as usize, steps as usize);
         let limits = Limits { step, longest, steps, crossings, starts, seed };
-        let settings = Self { problem, limits };
+        settings.limits.require(problem.drawing(&limits).abscissa.1)?;
+        let settings = Self { problem, limits, plane: settings.limits };
         require_distinct(settings.header().split(',')).map_err(Error::from)?;
         Ok(settings)
     }

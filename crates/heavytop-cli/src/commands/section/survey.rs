@@ -1,6 +1,7 @@
 //! A survey of all orbits before they are drawn.
 
 use super::orbits::orbit::Orbit;
+use super::plane_range::PlaneRange;
 use super::settings::Settings;
 use lie_poisson::larger;
 
@@ -13,10 +14,8 @@ pub(super) struct Survey {
     pub short: usize,
     /// The largest deviations of the conserved quantities from those of the section.
     pub deviations: Vec<f64>,
-    /// The least and the largest x.
-    pub widths: [f64; 2],
-    /// The least and the largest y.
-    pub heights: [f64; 2],
+    /// The part of the plane that the picture shows.
+    pub plane: PlaneRange,
     /// The mean of |y| over each orbit.
     pub means: Vec<f64>,
 }
@@ -24,10 +23,10 @@ pub(super) struct Survey {
 impl Survey {
     /// Creates the survey of no orbit.
     pub fn new(settings: &Settings) -> Self {
-        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
         let deviations = vec![0.0; settings.problem.conserved().len()];
-        let (widths, heights) = (nothing, nothing);
-        Self { points: 0, short: 0, deviations, widths, heights, means: Vec::new() }
+        let (_, is_angle) = settings.problem.drawing(&settings.limits).abscissa;
+        let plane = PlaneRange::new(settings.plane, is_angle);
+        Self { points: 0, short: 0, deviations, plane, means: Vec::new() }
     }
 
     /// Adds an orbit to the survey.
@@ -40,10 +39,8 @@ impl Survey {
             for (most, deviation) in self.deviations.iter_mut().zip(deviations) {
                 *most = larger(*most, deviation);
             }
-            let [x, y] = point.plane;
-            self.widths = [self.widths[0].min(x), self.widths[1].max(x)];
-            self.heights = [self.heights[0].min(y), self.heights[1].max(y)];
-            sum += y.abs();
+            self.plane.include(point.plane);
+            sum += point.plane[1].abs();
         }
         self.points += orbit.crossings.len();
         self.short += usize::from(orbit.crossings.len() <= settings.limits.crossings);

@@ -33,6 +33,7 @@ starts = 60                                    # motions with the energy and Π�
 crossings = 500                                # of each
 # energy = 11.75                               # h, J, instead of that of [initial]
 # vertical_momentum = 4.46                     # Π·Γ, kg m²/s, instead of that of [initial]
+# limits = { x = [0.0, 3.0], y = [-1.0, 1.0] } # what the picture shows, instead of all points
 "
             }
             Self::Sweep => {

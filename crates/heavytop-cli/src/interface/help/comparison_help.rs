@@ -17,7 +17,8 @@ parts. The time is the wall-clock time for one simulated second, (Π, Γ) read a
 best of at least three repetitions; it is of your machine, so let it rest meanwhile.
 
 Written into the folder:
-  work-precision.svg .png  error against time, a panel for each formulation
+  work-precision.svg .png  error against time: in colour the method of each formulation that is the
+                           fastest at the most errors, and the best of the others; these in grey
   work-precision.csv       formulation,scheme,step,end,error,seconds,h,f1,f2, the last three the
                            largest deviations, then error_Pi (kg m²/s), error_Gamma,
                            relative_error; NaN where a step had no result

@@ -40,7 +40,8 @@ the angle of Γ about e_i; the section is drawn over
 Where Γ_i or the angle is fixed these are canonical: areas are conserved from crossing to crossing.
 An angle is passed where it is the level, or differs from it by turns of 2π; its jump from π to -π
 is no crossing. Starts are coloured by the mean of |y| over their points, which is the same all over
-an invariant curve or a chaotic sea.
+an invariant curve or a chaotic sea. The axes fit the points, and an angle has the whole turn where
+points are all around; limits (below) fix them, and the caption counts the points outside.
 
 The closing lines, error_estimate of the summary and the metadata have an estimate of the error at
 the last return, relative to the state, of eight orbits or all: the largest, which is 1 where an
@@ -80,6 +81,8 @@ Configuration: [body] and [initial] as of simulate, and
   crossings = 500                    # of each start, 1 or more
   longest = 10000.0                  # s; no start is followed longer
   seed = 0                           # which starts
+  limits = { x = [0, 3], y = [-1, 1] } # what the picture shows, one axis or both; the tables have
+                                     # all points
 
   [integrator]                       # as of simulate; of end the sign alone plays a part: backward
                                      # in time if it or the step is negative
@@ -140,8 +143,11 @@ Written into the folder:
                   a top that could not be followed has nulls and the reason there, no other has;
                   if all fail, the table is kept as sweep.parquet.partial, and the exit code is 1
   NAME.svg .png   for a grid with two axes and at most 4096 × 4096 tops, a map of each column: the
-                  first axis is the abscissa; the colours span all values but half a percent at
-                  either end; gray has no value; the value 2 of MEGNO, regular motion, is marked;
+                  first axis is the abscissa; values of both signs are blue and red about white, 0;
+                  MEGNO is white at 2, regular motion, and red in chaos; gray has no value. Of the
+                  half percent of values at either end those that would widen the scale by more than
+                  a tenth lie beyond it: the bar of colours ends in a point, and the caption counts
+                  them;
                   for a single axis and at most 65536 tops, a curve of each column, with gaps where
                   there is no value, or dots where the axis is random
   sweep.csv       where there are curves, the table of sweep.parquet as text: an empty cell for a

@@ -251,6 +251,10 @@ centre of mass with the trace of its direction on the sphere, the angular moment
 and below h, f1, f2 and, where the top has them, f3, K, G and C against time. Play, pause, go
 anywhere in time, choose the speed, drag to turn the view; the page says which keys do it.
 
+At first the speed is that at which the first precession, or a tumble of a body without weight,
+takes some ten seconds, unless the body then turned too fast for an eye; the page says which. A body
+without weight has no post.
+
 The attitude is followed along with (Π, Γ); the direct equations have none. It starts with the
 shortest rotation R for which Γ = Rᵀe3.
 

@@ -1,8 +1,8 @@
 //! The frame of a picture: a field between two axes and a bar of colours, with margins that their labels need.
 
 use super::scale::Scale;
-use super::scaled_chart::{Chart, TEXT, below, beside, draw_axes};
-use super::sheet::{EDGE, Sheet, text};
+use super::scaled_chart::{Chart, TEXT, below, beside, draw_axes, rule};
+use super::sheet::{Area, EDGE, Sheet, text};
 use crate::errors::Error;
 use crate::pictures::lettering::fitting;
 use plotters::prelude::*;
@@ -16,6 +16,8 @@ pub(crate) const HEIGHT: i32 = 10_000;
 
 /// The distance of the bar of colours from the field, and its width.
 const BAR: [i32; 2] = [350, 300];
+/// The height of the points of a bar of colours, at ends beyond which there are values.
+const POINT: i32 = 320;
 /// The room on the right of a field without a bar of colours.
 const MARGIN: i32 = 600;
 
@@ -85,10 +87,12 @@ impl Frame {
             let style = text(size, HPos::Center, VPos::Bottom).transform(FontTransform::Rotate270);
             self.sheet.body.draw_text(&bar.title, &style, (WIDTH - EDGE, height as i32 / 2))?;
             let bar = Scale { title: String::new(), ..bar };
+            let [low, high] = bar.beyond.map(|is_beyond| if is_beyond { POINT } else { 0 });
             let mut chart = ChartBuilder::on(&self.sheet.body)
                 .margin_left(beyond)
                 .margin_right(EDGE)
-                .margin_bottom(EDGE + below(TEXT))
+                .margin_top(high)
+                .margin_bottom(EDGE + below(TEXT) + low)
                 .right_y_label_area_size(labels)
                 .build_cartesian_2d(Scale::default(), bar)?;
             let shades = (1..=256).rev().map(|n| colour((f64::from(n) - 0.5) / 256.0));
@@ -100,7 +104,27 @@ impl Frame {
                 }
             }
             draw_axes(&mut chart, TEXT, false)?;
+            let (left, right) = (beyond, beyond + BAR[1]);
+            for (end, base, height) in [(0.0, height as i32 - low, low), (1.0, high, -high)] {
+                let corners = [(left, base), (right, base), ((left + right) / 2, base + height)];
+                draw_point(&self.sheet.body, corners, colour(end))?;
+            }
         }
         Ok(self.sheet.drawing())
     }
+}
+
+/// Draws the point of a bar of colours, a triangle; nothing where it has no height.
+fn draw_point(
+    area: &Area,
+    corners: [(i32, i32); 3],
+    [red, green, blue]: [u8; 3],
+) -> Result<(), Error> {
+    let [first, _, tip] = corners;
+    if first.1 != tip.1 {
+        area.draw(&Polygon::new(corners, RGBColor(red, green, blue).filled()))?;
+        let edge: Vec<_> = corners.into_iter().chain([first]).collect();
+        area.draw(&PathElement::new(edge, rule()))?;
+    }
+    Ok(())
 }

@@ -18,6 +18,8 @@ pub(crate) struct Scale {
     pub title: String,
     /// The place of a line across a bar of colours.
     pub line: Option<f64>,
+    /// Whether there are values below and above a bar of colours, which then ends in points.
+    pub beyond: [bool; 2],
 }
 
 impl Scale {
@@ -25,7 +27,7 @@ impl Scale {
     pub fn linear(axis: &Axis, quantity: &str, reversed: bool) -> Self {
         let place = |value: f64| if reversed { 1.0 - axis.along(value) } else { axis.along(value) };
         let ticks = axis.labels().map(|(value, label)| (place(value), label.into())).collect();
-        Self { ticks, title: axis.title(quantity), line: None }
+        Self { ticks, title: axis.title(quantity), ..Self::default() }
     }
 
     /// Creates the scale of a quantity between these decimal logarithms.
@@ -46,12 +48,12 @@ impl Scale {
             .filter(|(along, _)| (0.0..=1.0).contains(along))
             .collect();
         if ticks.len() >= FEW {
-            return Self { ticks, title: quantity.into(), line: None };
+            return Self { ticks, title: quantity.into(), ..Self::default() };
         }
         let axis = Axis::new(10_f64.powf(least), 10_f64.powf(most), 4);
         let labels = axis.labels().map(|(value, label)| (along(value), label.into()));
         let ticks = labels.filter(|(along, _)| (0.0..=1.0).contains(along)).collect();
-        Self { ticks, title: axis.title(quantity), line: None }
+        Self { ticks, title: axis.title(quantity), ..Self::default() }
     }
 
     /// Draws a line at a place, with a label instead of those of the ticks that are nearer to it than `apart`.

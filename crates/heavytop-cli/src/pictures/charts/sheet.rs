@@ -25,13 +25,15 @@ pub(crate) struct Sheet {
 }
 
 impl Sheet {
-    /// Creates a sheet of this width and height with a caption of this size, whose parts are in as few lines as have room.
+    /// Creates a sheet of this width and height with a caption of this size, whose parts are in as few lines as have room. The
+    /// drawing has the whole caption as its description.
     ///
     /// # Errors
     /// If the caption cannot be drawn.
     pub fn new([width, height]: [i32; 2], caption: &[String], size: f64) -> Result<Self, Error> {
         let sides = [width, height].map(i32::unsigned_abs);
-        let canvas = Rc::new(RefCell::new(SvgCanvas::new(sides, 100, "mm")));
+        let whole = SvgCanvas::new(sides, 100, "mm").described(&caption.join("; "))?;
+        let canvas = Rc::new(RefCell::new(whole));
         let sheet = Area::from(&canvas);
         sheet.fill(&WHITE)?;
         let room = f64::from(width - 2 * EDGE);

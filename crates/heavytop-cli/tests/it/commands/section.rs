@@ -326,3 +326,44 @@ fn two_warnings_are_two_lines() {
         assert!(body[0].starts_with("heavytop: warning: [body]"), "{command}: {said}");
     }
 }
+
+/// The limits of the picture leave the tables alone; those that are no range are refused, and nothing is written.
+#[test]
+fn limits_cut_the_picture_alone() {
+    let folder = Folder::new();
+    for (name, limits) in [("all", ""), ("cut", "limits = { x = [-1, 1], y = [0, 0.5] }")] {
+        folder.write("a.toml", &format!("{SMALL}\n{limits}"));
+        let run = folder.heavytop(&["section", "a.toml", "--out", name]);
+        assert_eq!(run.code(), 0, "{}", run.stderr());
+    }
+    assert_eq!(folder.read("all/section.csv"), folder.read("cut/section.csv"));
+    // A point is a line of almost no length with round ends, in a path for each start.
+    let drawn = |name: &str| {
+        let svg = folder.read(&format!("{name}/section.svg"));
+        let dots = svg.lines().filter(|line| line.contains("stroke-linecap=\"round\""));
+        dots.map(|line| line.matches("M ").count()).sum::<usize>()
+    };
+    let (_, rows) = numbers(&folder.read("all/section.csv"));
+    let turn = std::f64::consts::TAU;
+    let is_inside = |row: &&Vec<f64>| {
+        let x = if row[9] > turn / 2.0 { row[9] - turn } else { row[9] };
+        (-1.0..=1.0).contains(&x) && (0.0..=0.5).contains(&row[10])
+    };
+    let inside = rows.iter().filter(is_inside).count();
+    // Control: some points are inside, and some are not.
+    assert!(inside > 0 && inside < rows.len(), "{inside}");
+    assert_eq!((drawn("all"), drawn("cut")), (rows.len(), inside));
+
+    let needs = [
+        ("y = [1, -1]", "y must be two numbers, the second above the first, got [1, -1]"),
+        ("x = [0, inf]", "x must be two finite numbers, got [0, inf]"),
+        ("x = [0, 7]", "x must be at most 2π apart, since x is an angle, got [0, 7]"),
+    ];
+    for (limits, message) in needs {
+        folder.write("a.toml", &format!("{SMALL}\nlimits = {{ {limits} }}"));
+        let run = folder.heavytop(&["section", "a.toml", "--out", "refused"]);
+        assert_eq!(run.code(), 2);
+        assert!(run.stderr().contains(&format!("[section] limits.{message}")), "{}", run.stderr());
+        assert!(!folder.path("refused").exists());
+    }
+}

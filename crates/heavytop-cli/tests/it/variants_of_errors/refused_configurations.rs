@@ -68,11 +68,12 @@ const SYSTEMS: [(&str, &str); 12] = [
 ];
 
 /// Configurations of sections, and below them those of a system.
-const SECTIONS: [(&str, &str); 6] = [
+const SECTIONS: [(&str, &str); 7] = [
     ("Error::Section", "section.energy = -100"),
     ("Error::TooManyPoints", "section = { starts = 100000, crossings = 100000 }"),
     ("Error::UnknownSurface", "section.surface = 'Pi9'"),
     ("Error::SectionKey", "section.axes = ['Pi1', 'Pi2']"),
+    ("Error::PlaneLimits", "section.limits.y = [1, -1]"),
     ("Error::Crossing", FAILING),
     ("Error::Kept", FAILING),
 ];

@@ -1,8 +1,6 @@
 // Playing, and what keys and pointers do.
 
 const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10];
-/** The rate at which an eye can follow, rad/s. */
-const CALM = 6;
 const MOST_TRACE = 6000;
 const PLAY = "M7 4v16l13-8z";
 const PAUSE = "M6 4h4v16H6zm8 0h4v16h-4z";
@@ -10,7 +8,10 @@ const PAUSE = "M6 4h4v16H6zm8 0h4v16h-4z";
 class Player {
   constructor(motion) {
     this.motion = motion;
-    this.scene = new Scene(byId("scene"), motion.inertia, motion.largestMomentum());
+    this.scene = new Scene(byId("scene"), motion.inertia, motion.largestMomentum(), motion.weight > 0);
+    for (const part of document.querySelectorAll(".of-top, .of-free")) {
+      part.hidden = part.classList.contains("of-free") === motion.weight > 0;
+    }
     this.strip = new Strip(byId("strip"), motion);
     [this.time, this.playing, this.pending] = [0, false, false];
     byId("description").textContent = motion.description;
@@ -24,10 +25,11 @@ class Player {
       ? (time) => `${motion.sign(time)}${shifted(time, exponent).toFixed(4)} · ${powerOfTen(exponent)} s`
       : (time) => `${motion.sign(time)}${time.toFixed(decimals)} s`;
     this.momentum = notation(motion.largestMomentum(), 4);
-    this.speeds = speeds(CALM / motion.meanRate());
-    const calm = this.speeds.findLastIndex((speed) => (speed <= 1 || this.speeds[0] > 1) && speed * motion.meanRate() <= CALM);
+    this.event = happening(motion);
+    const speed = pace(motion, this.event.seconds);
+    this.speeds = speeds(speed);
     byId("speed").replaceChildren(...this.speeds.map((speed) => new Option(`${readable(speed, 3)} ×`, speed)));
-    byId("speed").selectedIndex = Math.max(calm, 0);
+    byId("speed").selectedIndex = this.speeds.indexOf(speed);
     const traces = [["short", 2], ["long", 15], ["longest", Infinity]];
     byId("trace").replaceChildren(...traces.map(([name, seconds]) => new Option(name, seconds)));
     byId("trace").selectedIndex = 1;
@@ -82,6 +84,9 @@ class Player {
     byId("time").value = this.time / (this.motion.end || 1);
     byId("time").setAttribute("aria-valuetext", clock);
     byId("clock").textContent = `${clock} of ${readable(this.motion.direction * this.motion.end, 6)} s`;
+    const { name, seconds } = this.event;
+    byId("pace").textContent = `${name} takes ${readable(seconds, 3)} s, and ${readable(seconds / this.speed, 2)} s here, `
+      + `at ${readable(this.speed, 3)} × real time.`;
     byId("play").setAttribute("aria-label", this.playing ? "Pause" : "Play");
     byId("play").querySelector("path").setAttribute("d", this.playing ? PAUSE : PLAY);
     this.table(state);
@@ -159,11 +164,12 @@ class Player {
   }
 }
 
-/** The speeds to choose from; about the calm one where the usual ones are all too fast or too slow. */
-function speeds(calm) {
-  if (!Number.isFinite(calm) || (calm >= SPEEDS[0] && calm <= 1000)) return SPEEDS;
-  const middle = Math.floor(Math.log10(calm));
-  return [-1, 0, 1, 2].flatMap((by) => [1, 2, 5].map((digit) => Number(`${digit}e${middle + by}`)));
+/** The speeds to choose from, in order: the usual ones, or some about it where these are all too fast or too slow, and it. */
+function speeds(speed) {
+  const middle = Math.floor(Math.log10(speed));
+  const isUsual = speed >= SPEEDS[0] && speed <= 1000;
+  const others = isUsual ? SPEEDS : [-1, 0, 1, 2].flatMap((by) => [1, 2, 5].map((digit) => Number(`${digit}e${middle + by}`)));
+  return [...new Set([...others, speed])].sort((one, other) => one - other);
 }
 
 function start(motion) {

@@ -1,8 +1,8 @@
 // The frames, and the motion between them.
 
 class Motion {
-  constructor({ description, top, inertia, centerOfMass, invariants, numbers }) {
-    Object.assign(this, { description, top, inertia, centerOfMass });
+  constructor({ description, top, inertia, weight, centerOfMass, invariants, numbers }) {
+    Object.assign(this, { description, top, inertia, weight, centerOfMass });
     this.invariants = invariants.map(([symbol, unit]) => ({ symbol, unit }));
     this.width = 11 + invariants.length;
     const bytes = Uint8Array.from(atob(numbers), (character) => character.charCodeAt(0));

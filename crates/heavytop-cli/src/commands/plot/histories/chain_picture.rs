@@ -6,6 +6,7 @@ use crate::errors::Error;
 use crate::pictures::charts::frame::HEIGHT;
 use crate::pictures::colour_scale::colour;
 use crate::pictures::raster::{cells, range};
+use crate::pictures::symbols::symbol;
 use crate::pictures::{Axis, Frame, Scale};
 
 /// The largest number of columns and of rows of pixels.
@@ -35,11 +36,12 @@ pub(in crate::commands::plot) fn chain_picture(run: &RunArrays) -> Result<String
     let spins: Vec<Option<f64>> = from_top.collect();
     let ordinate =
         Scale::linear(&Axis::new(0.5, sites as f64 + 0.5, 5), "number of the spin", false);
-    let scale = Scale::linear(&Axis::new(range[0], range[1], 4), &format!("{name}₃"), false);
+    let scale =
+        Scale::linear(&Axis::new(range[0], range[1], 4), &format!("{}₃", symbol(&name)), false);
     let caption = run.caption(format!("{sites} spins"));
     let frame = Frame::new(HEIGHT, &caption, ordinate, Some(scale))?;
     let mut chart = frame.chart(TimeAxis::new(&run.times).scale(frame.length()))?;
     let size = [columns.len() as u32, rows as u32];
-    chart.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], size, &spins, Some(range), 255)?])?;
+    chart.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], size, &spins, range)?])?;
     frame.complete(chart, colour)
 }

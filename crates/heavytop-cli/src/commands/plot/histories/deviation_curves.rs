@@ -4,6 +4,7 @@ use super::thinned::Thinned;
 use crate::commands::plot::run_arrays::RunArrays;
 use crate::errors::Error;
 use crate::pictures::Scale;
+use crate::pictures::symbols::symbol;
 
 /// The decimal logarithm of the least deviation that is drawn: less is round-off of what is not 0, or exactly 0.
 const LEAST: f64 = -17.0;
@@ -37,7 +38,8 @@ impl DeviationCurves {
             Ok(true)
         })?;
         let named = |((name, curve), start): ((&String, Thinned), &f64)| {
-            let name = if *start == 0.0 { format!("{name}, absolute") } else { name.clone() };
+            let symbol = symbol(name);
+            let name = if *start == 0.0 { format!("{symbol}, absolute") } else { symbol };
             (name, curve.complete())
         };
         Ok(Self { curves: names.iter().zip(curves).zip(&starts).map(named).collect() })

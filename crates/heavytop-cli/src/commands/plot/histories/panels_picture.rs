@@ -7,12 +7,12 @@ use super::time_axis::TimeAxis;
 use crate::commands::plot::quantities::run_column::RunColumn;
 use crate::commands::plot::run_arrays::RunArrays;
 use crate::errors::Error;
-use crate::pictures::caption::plain;
+use crate::pictures::caption::{formula, plain};
 use crate::pictures::curves::curve::STYLES;
 use crate::pictures::curves::panels::{PANEL, Panels};
+use crate::pictures::symbols::symbol;
 use crate::pictures::{Axis, Scale};
 use crate::runs::Experiment;
-use crate::vocabulary::brief;
 
 /// Draws the coordinates of a run and the columns that it was asked for against time, and below them how far the conserved
 /// quantities are from their start.
@@ -71,8 +71,8 @@ pub(super) fn caption(
     columns: &[String],
 ) -> impl Iterator<Item = String> {
     let casimirs = columns.iter().filter(|name| *name != "h").filter_map(|name| {
-        let formula = brief::text(&experiment.model.formula(name)?);
-        Some(format!("{name} = {}", plain(&formula)))
+        let function = experiment.model.formula(name)?;
+        Some(format!("{} = {}", symbol(name), formula(function)))
     });
     run.subject.caption(&run.config).into_iter().chain(casimirs)
 }

@@ -5,6 +5,7 @@ use crate::commands::plot::run_arrays::RunArrays;
 use crate::errors::Error;
 use crate::formats::RunTable;
 use crate::pictures::caption::plain;
+use crate::pictures::symbols::symbol;
 use crate::runs::Experiment;
 
 /// A column of the archive of a run.
@@ -42,11 +43,11 @@ impl RunColumn {
             names.enumerate().map(move |(place, name)| {
                 let (title, symbol, unit) = match is_top {
                     true => {
-                        let title = top_words::title(&array.name).to_owned();
+                        let title = top_words::title(&array.name);
                         (title, top_words::symbol(name), Some(top_words::unit(&array.name)))
                     }
                     false if array.name == "t" => ("t".into(), "t".into(), Some("s")),
-                    false => (plain(&array.name), plain(name), None),
+                    false => (plain(&symbol(&array.name)), plain(&symbol(name)), None),
                 };
                 let (name, array, shape) =
                     ((*name).into(), array.name.clone(), array.shape.clone());

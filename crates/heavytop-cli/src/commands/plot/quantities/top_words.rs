@@ -1,37 +1,24 @@
 //! The columns of a top in the words of pictures.
 
+use crate::pictures::symbols;
 use heavytop::Invariant;
 use lie_poisson_runs::TopQuantity;
 
-/// The names of the arrays of vectors, with the symbols of their panels and of their components.
-const VECTORS: [(&str, &str, &str); 5] = [
-    ("Pi", "Π", "Π"),
-    ("Gamma", "Γ", "Γ"),
-    ("Omega", "Ω", "Ω"),
-    ("spatial_momentum", "RΠ", "(RΠ)"),
-    ("euler_angles", "Euler angles", ""),
-];
-
-/// The names of the Euler angles, with their symbols.
-const ANGLES: [(&str, &str); 3] = [("phi", "φ"), ("theta", "θ"), ("psi", "ψ")];
-
 /// Returns the symbol of the vector in an array, or the name of the array.
-pub(super) fn title(array: &str) -> &str {
-    VECTORS.iter().find(|(name, ..)| *name == array).map_or(array, |(_, symbol, _)| symbol)
+pub(super) fn title(array: &str) -> String {
+    match array {
+        "spatial_momentum" => "RΠ".into(),
+        "euler_angles" => "Euler angles".into(),
+        _ => symbols::symbol(array),
+    }
 }
 
 /// Returns the symbol of a column, such as `Π₁` for `Pi1`.
 pub(super) fn symbol(column: &str) -> String {
-    if let Some((_, symbol)) = ANGLES.iter().find(|(name, _)| *name == column) {
-        return (*symbol).into();
+    match column.strip_prefix("spatial_momentum") {
+        Some(index) => symbols::symbol(&format!("Pi{index}")).replace('Π', "(RΠ)"),
+        None => symbols::symbol(column),
     }
-    let letters = column.trim_end_matches(|c: char| c.is_ascii_digit());
-    let lowered = column[letters.len()..].chars().filter_map(|digit| {
-        let digit = digit.to_digit(10)?;
-        char::from_u32(u32::from('₀') + digit)
-    });
-    let vector = VECTORS.iter().find(|(name, ..)| *name == letters);
-    vector.map_or(letters, |(.., symbol)| symbol).chars().chain(lowered).collect()
 }
 
 /// Returns the unit of an array; it is empty for what is a pure number.
@@ -65,7 +52,7 @@ mod tests {
 
     #[test]
     fn names_become_symbols() {
-        assert_eq!((title("Pi"), title("Gamma"), title("height")), ("Π", "Γ", "height"));
+        assert_eq!(["Pi", "Gamma", "height"].map(title), ["Π", "Γ", "height"]);
         let columns = ["Pi1", "Gamma3", "Omega2", "psi", "spatial_momentum3", "kinetic", "f1"];
         let symbols = ["Π₁", "Γ₃", "Ω₂", "ψ", "(RΠ)₃", "kinetic", "f₁"];
         assert_eq!(columns.map(symbol), symbols);

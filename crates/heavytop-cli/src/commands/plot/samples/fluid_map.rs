@@ -83,8 +83,7 @@ impl SamplePicture for FluidMap<'_> {
         let (included, vorticity) = &self.last;
         let computed = (included != sample).then(|| self.vorticity(sample));
         let vorticity = computed.as_ref().unwrap_or(vorticity);
-        let range = Some([-most, most]);
-        map.map.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], SIZE, vorticity, range, 255)?])?;
+        map.map.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], SIZE, vorticity, [-most, most])?])?;
         map.draw()?;
         map.complete(colour)
     }

@@ -8,6 +8,7 @@ use crate::pictures::charts::frame::HEIGHT;
 use crate::pictures::charts::scaled_chart::Chart;
 use crate::pictures::colour_scale::colour;
 use crate::pictures::raster::{cells, range};
+use crate::pictures::symbols::symbol;
 use crate::pictures::{Axis, Frame, Scale};
 use plotters::prelude::*;
 use svg_pictures::SvgElement;
@@ -77,7 +78,7 @@ impl SamplePicture for LatticePlane<'_> {
         let range = range(self.ends.into_iter());
         let axis = |count: usize| Axis::new(-0.5, count as f64 - 0.5, 5);
         let ordinate = Scale::linear(&axis(ny), "second index", false);
-        let title = format!("{}₃", self.name);
+        let title = format!("{}₃", symbol(&self.name));
         let scale = Scale::linear(&Axis::new(range[0], range[1], 4), &title, false);
         let what = match nz {
             1 => format!("t = {} s", number(time)),
@@ -86,7 +87,7 @@ impl SamplePicture for LatticePlane<'_> {
         let frame = Frame::new(HEIGHT, &self.run.caption(what), ordinate, Some(scale))?;
         let mut chart = frame.chart(Scale::linear(&axis(nx), "first index", false))?;
         let size = [nx as u32, ny as u32];
-        chart.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], size, &thirds, Some(range), 255)?])?;
+        chart.draw_series([cells([(0.0, 1.0), (1.0, 0.0)], size, &thirds, range)?])?;
         draw_arrows(&chart, [nx, ny], |x, y| {
             let [first, second, _] = self.spin(spins, x, y);
             [first / self.longest, second / self.longest]

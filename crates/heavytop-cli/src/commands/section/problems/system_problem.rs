@@ -6,7 +6,8 @@ use super::top_problem::{crossed, followed};
 use crate::configuration::{Config, Integration, SectionConfig, SystemConfig};
 use crate::errors::{Error, SystemTableError};
 use crate::pictures::caption::{self, number};
-use crate::vocabulary::brief;
+use crate::pictures::lettering::shortened;
+use crate::pictures::symbols::symbol;
 use collective_integrators::Direction;
 use heavytop::methods::Method;
 use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemSection};
@@ -14,6 +15,9 @@ use lie_poisson_formulas::Formula;
 use lie_poisson_runs::Model;
 use lie_poisson_runs::step_angle::require_run;
 use serde_json::{Map, Value};
+
+/// The number of characters after which the title of an axis is cut.
+const MOST_OF_TITLE: usize = 60;
 
 /// The section of a system, and how its points are computed.
 #[derive(Clone, Debug, PartialEq)]
@@ -175,25 +179,28 @@ impl SectionProblem for SystemProblem {
     }
 
     fn drawing(&self, limits: &Limits) -> Drawing {
-        let [x, y] = self.section.axes().each_ref().map(title);
+        let axes = self.section.axes().each_ref();
+        let [x, y] = axes.map(title);
         let (formulation, scheme) = (self.method.formulation(), self.method.scheme());
-        let hamiltonian = words(self.system().hamiltonian());
         let names = self.conserved();
         let levels = names.iter().zip(&self.levels);
-        let levels = levels.map(|(name, level)| format!("{name} = {}", number(*level)));
+        let levels = levels.map(|(name, level)| format!("{} = {}", symbol(name), number(*level)));
         let levels = match self.given.is_empty() {
             true => levels.collect::<Vec<_>>().join(", "),
             false => "given states".into(),
         };
-        let surface = words(self.section.surface());
+        let surface = caption::formula(self.section.surface());
         let fixed = number(self.section.level());
-        let caption = vec![
-            format!("<tspan font-style='italic'>h</tspan> = {hamiltonian}"),
+        let mut caption = vec![
+            caption::hamiltonian(self.system().hamiltonian()),
             levels,
             format!("{surface} = {fixed}{}", crossed(self.section.direction())),
             caption::method(formulation, scheme, limits.step),
             followed(limits),
         ];
+        // What a title has no room for is in the caption.
+        let cut = axes.into_iter().zip(["x", "y"]).filter(|(axis, _)| title(axis).ends_with('…'));
+        caption.extend(cut.map(|(axis, name)| format!("{name} = {}", caption::formula(axis))));
         Drawing { caption, abscissa: (x, false), ordinate: (y, "") }
     }
 
@@ -208,12 +215,8 @@ impl SectionProblem for SystemProblem {
     }
 }
 
-/// Returns the title of an axis. What follows a plain space and a parenthesis would be read as a unit.
+/// Returns the title of an axis, a formula or its beginning. What follows a plain space and a parenthesis would be read as a
+/// unit.
 fn title(axis: &Formula) -> String {
-    words(axis).replace(" (", "\u{a0}(")
-}
-
-/// Returns a formula, or its beginning, as the inside of an SVG text: a comparison has a sign of SVG.
-fn words(formula: &Formula) -> String {
-    caption::plain(&brief::text(&formula.to_string()))
+    shortened(&caption::formula(axis), MOST_OF_TITLE).replace(" (", "\u{a0}(")
 }

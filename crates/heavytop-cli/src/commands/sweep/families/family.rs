@@ -3,6 +3,7 @@
 use super::course::Course;
 use crate::configuration::{Column, Integration, Observable, SweepAxis};
 use crate::errors::{Error, SweepError};
+use crate::pictures::symbols::symbol;
 use crate::runs::Schedule;
 use collective_integrators::diagnostics::RunAccuracy;
 use heavytop::methods::{Formulation, Method};
@@ -94,14 +95,14 @@ impl dyn Family + '_ {
 /// Returns a column for the largest deviation of each of these quantities.
 pub(super) fn drift_columns(names: impl IntoIterator<Item = String>) -> Vec<Column> {
     let column = |name: String| {
-        Column::logarithmic(&format!("drift_{name}"), &format!("deviation of {name}"))
+        Column::logarithmic(&format!("drift_{name}"), &format!("deviation of {}", symbol(&name)))
     };
     names.into_iter().map(column).collect()
 }
 
 /// Returns a column for each of these coordinates at the end.
 pub(super) fn end_columns(names: impl IntoIterator<Item = String>) -> Vec<Column> {
-    let column = |name: String| Column::linear(&name, &format!("{name} at the end"));
+    let column = |name: String| Column::linear(&name, &format!("{} at the end", symbol(&name)));
     names.into_iter().map(column).collect()
 }
 

@@ -7,8 +7,8 @@ use super::measured_motion::measure;
 use super::varied_number::{VariedNumber, VariedNumbers, component};
 use crate::configuration::{Column, Config, Integration, Observable, SweepAxis, SystemConfig};
 use crate::errors::{Error, SweepError};
-use crate::pictures::caption::{number, vector_of};
-use crate::vocabulary::brief;
+use crate::pictures::caption::{self, number, vector_of};
+use crate::pictures::symbols::symbol;
 use collective_integrators::AnyState;
 use heavytop::methods::Method;
 use lie_poisson_formula_systems::FormulaSystem;
@@ -116,14 +116,15 @@ impl SystemFamily {
         let coordinates = self.system.algebra().coordinates();
         coordinates.groups().filter_map(|(name, places)| {
             let values = self.start.get(places.clone()).unwrap_or_default();
-            let symbol = |i: usize| {
+            let varied = |i: usize| {
                 let varied = VariedNumber::Coordinate(places.start + i);
                 self.numbers.contain(&varied).then(|| component(name, i))
             };
+            let name = symbol(name);
             match values {
-                [_] if symbol(0).is_some() => None,
+                [_] if varied(0).is_some() => None,
                 [value] => Some(format!("{name}(0) = {}", number(*value))),
-                values => vector_of(&format!("{name}(0)"), values, symbol),
+                values => vector_of(&format!("{name}(0)"), values, varied),
             }
         })
     }
@@ -158,7 +159,7 @@ impl Family for SystemFamily {
             }),
             Observable::RelativeDrift => {
                 let column = |name: String| {
-                    let label = format!("relative deviation of {name}");
+                    let label = format!("relative deviation of {}", symbol(&name));
                     Column::logarithmic(&format!("relative_drift_{name}"), &label)
                 };
                 Ok(self.conserved().map(column).collect())
@@ -173,12 +174,11 @@ impl Family for SystemFamily {
     }
 
     fn shared(&self) -> Vec<String> {
-        let formula = brief::text(&self.system.hamiltonian().to_string());
-        let hamiltonian = format!("<tspan font-style='italic'>h</tspan> = {formula}");
+        let hamiltonian = caption::hamiltonian(self.system.hamiltonian());
         let casimirs = self.casimirs().into_iter();
         let casimirs = self.conserved().skip(1).zip(casimirs);
         let casimirs =
-            casimirs.map(|(name, formula)| format!("{name} = {}", brief::text(&formula)));
+            casimirs.map(|(name, text)| format!("{} = {}", symbol(&name), caption::formula(text)));
         let numbers =
             self.numbers.shared_parameters(&self.table).into_iter().chain(self.shared_start());
         [hamiltonian].into_iter().chain(casimirs).chain(numbers).collect()

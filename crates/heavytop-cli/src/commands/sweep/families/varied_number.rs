@@ -6,6 +6,7 @@ use crate::configuration::{
 };
 use crate::errors::SweepError;
 use crate::pictures::caption::{number, vector_of};
+use crate::pictures::symbols::symbol;
 use crate::vocabulary::suggestion::suggestion;
 use lie_poisson_formulas::Coordinates;
 use std::collections::BTreeMap;
@@ -81,13 +82,13 @@ impl VariedNumber {
     /// Returns the name of the number in formulas, and "(0)" after a coordinate of the initial state.
     pub fn label(&self, coordinates: Option<&Coordinates>) -> String {
         match self {
-            Self::Start(name, None) => format!("{name}(0)"),
+            Self::Start(name, None) => symbol(name) + "(0)",
             Self::Start(name, Some(index)) => component(name, *index) + "(0)",
-            Self::Parameter(name, None) => name.clone(),
+            Self::Parameter(name, None) => symbol(name),
             Self::Parameter(name, Some(index)) => component(name, *index),
             Self::Coordinate(place) => {
                 let name = coordinates.and_then(|coordinates| coordinates.names().nth(*place));
-                name.unwrap_or_default() + "(0)"
+                symbol(&name.unwrap_or_default()) + "(0)"
             }
         }
     }
@@ -171,14 +172,16 @@ fn shared_numbers(
     is_varied: impl Fn(&str, Option<usize>) -> bool,
 ) -> Vec<String> {
     let words = |(name, numbers): (&String, &Numbers)| {
-        let symbol = |i| is_varied(name, Some(i)).then(|| component(name, i));
+        let varied = |i| is_varied(name, Some(i)).then(|| component(name, i));
+        let is_alone_varied = is_varied(name, None);
+        let name = symbol(name);
         match numbers {
-            Numbers::One(_) if is_varied(name, None) => None,
+            Numbers::One(_) if is_alone_varied => None,
             Numbers::One(value) => Some(format!("{name}{suffix} = {}", number(*value))),
             Numbers::Many(values) if values.len() > MOST_COMPONENTS => {
                 Some(format!("{name}{suffix}: {} numbers", values.len()))
             }
-            Numbers::Many(values) => vector_of(&format!("{name}{suffix}"), values, symbol),
+            Numbers::Many(values) => vector_of(&format!("{name}{suffix}"), values, varied),
         }
     };
     numbers.iter().filter_map(words).collect()
@@ -187,11 +190,11 @@ fn shared_numbers(
 /// The largest number of components that a caption shows.
 const MOST_COMPONENTS: usize = 12;
 
-/// Returns the name of a component of a vector in formulas.
+/// Returns the symbol of a component of a vector.
 pub(super) fn component(name: &str, index: usize) -> String {
     let names = Coordinates::new().vector(name, index + 1).ok();
     let last = names.and_then(|names| names.names().last());
-    last.unwrap_or_else(|| format!("{name}[{index}]"))
+    last.map_or_else(|| format!("{}[{index}]", symbol(name)), |name| symbol(&name))
 }
 
 /// Checks that a number of a vector has its index, and that another number has none.

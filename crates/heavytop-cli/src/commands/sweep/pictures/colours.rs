@@ -1,4 +1,4 @@
-//! The scales of the pictures of a sweep: which logarithms they show, their range, and the bar that explains colours.
+//! The scales of the pictures of a sweep: which logarithms they show, the ends of curves, and the ticks.
 
 use crate::configuration::{Column, Observable};
 use crate::pictures::{Axis, Scale};
@@ -6,11 +6,8 @@ use crate::pictures::{Axis, Scale};
 /// The colour of what has no value.
 pub(super) const NONE: u8 = 190;
 
-/// The fraction of the values, at either end, that may lie outside the range of colours.
-const OUTLIERS: f64 = 0.005;
-
 /// The value of MEGNO for regular motion.
-const REGULAR: f64 = 2.0;
+pub(super) const REGULAR: f64 = 2.0;
 
 /// The smallest number whose logarithm is distinguished, relative to the largest number of the picture.
 const SMALLEST: f64 = 1e-16;
@@ -30,28 +27,8 @@ pub(super) fn scaled(column: &Column, values: &[Option<f64>]) -> (Column, Vec<Op
     (Column { is_logarithmic, ..column.clone() }, scaled)
 }
 
-/// Returns the range of the colours: all values but outliers, and regular motion; `None` where there is no value.
-pub(super) fn range(values: &[Option<f64>], column: &Column) -> Option<[f64; 2]> {
-    let mut sorted: Vec<f64> = values.iter().copied().flatten().collect();
-    sorted.sort_by(f64::total_cmp);
-    let outliers = (sorted.len() as f64 * OUTLIERS) as usize;
-    let least = *sorted.get(outliers)?;
-    let most = *sorted.iter().rev().nth(outliers)?;
-    let (least, most) = match is_megno(column) && column.is_logarithmic {
-        true => (least.min(REGULAR.log10()), most.max(REGULAR.log10())),
-        false => (least, most),
-    };
-    // The range is not narrowed to round-off, which thus looks constant.
-    let size = if column.is_logarithmic { 1.0 } else { least.abs().max(most.abs()) };
-    let room = 1e-9 * size;
-    Some(match most - least > room {
-        true => [least, most],
-        false if size > 0.0 => [least - room, least + room],
-        false => [-1.0, 1.0],
-    })
-}
-
-fn is_megno(column: &Column) -> bool {
+/// Returns whether a column is MEGNO.
+pub(super) fn is_megno(column: &Column) -> bool {
     Observable::Megno.columns().iter().any(|megno| megno.name == column.name)
 }
 

@@ -1,6 +1,7 @@
 //! The heat map of a grid with two axes, as SVG.
 
-use super::colours::{NONE, bar_scale, range, scaled};
+use super::colours::{NONE, scaled};
+use super::map_colours::MapColours;
 use super::words::{blank, words};
 use crate::commands::sweep::sweep_plan::Plan;
 use crate::configuration::{Column, Spread, SweepAxis};
@@ -8,12 +9,11 @@ use crate::errors::Error;
 use crate::pictures::charts::frame::{HEIGHT, WIDTH};
 use crate::pictures::charts::scaled_chart::TEXT;
 use crate::pictures::charts::sheet::{Area, EDGE, text};
-use crate::pictures::colour_scale::colour;
 use crate::pictures::lettering::width;
-use crate::pictures::raster::cells;
 use crate::pictures::{Axis, Frame, Scale};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
+use svg_pictures::SvgElement;
 
 /// Draws the values over the plane of the two axes, in a map of the given size.
 ///
@@ -30,12 +30,13 @@ pub(super) fn heat_map(
 ) -> Result<String, Error> {
     let (column, scaled) = &scaled(column, values);
     let missing = scaled.iter().filter(|value| value.is_none()).count();
-    let range = range(scaled, column);
+    let colours = MapColours::of(column, values, scaled);
+    let colour = |value: f64| colours.as_ref().map_or([NONE; 3], |colours| colours.at(value));
     // The first axis is the abscissa, and the top row has the largest value of the second.
     let (width, height) = (columns as usize, rows as usize);
     let from_top = (0..height).rev().flat_map(|y| (0..width).map(move |x| x * height + y));
-    let shades: Vec<Option<f64>> =
-        from_top.map(|index| scaled.get(index).copied().flatten()).collect();
+    let shades =
+        from_top.map(|index| scaled.get(index).copied().flatten().map_or([NONE; 3], colour));
 
     let labels = plan.family.labels();
     let ([first, second], [along, upward]) = (plan.axes.as_slice(), labels.as_slice()) else {
@@ -44,19 +45,22 @@ pub(super) fn heat_map(
     let (low, high) = ends(second);
     let ordinate = Axis::new(low, high, 5);
     let ordinate = Scale::linear(&ordinate, upward, is_reversed(second));
-    let bar = range.map(|range| bar_scale(column, range));
-    let frame = Frame::new(HEIGHT, &words(plan), ordinate, bar)?;
+    let mut caption = words(plan);
+    caption.extend(colours.iter().flat_map(|colours| colours.outside(column)));
+    let bar = colours.as_ref().map(|colours| colours.scale(column));
+    let frame = Frame::new(HEIGHT, &caption, ordinate, bar)?;
     let (low, high) = ends(first);
     let abscissa = Axis::along_line(low, high, 5, frame.length());
     let mut chart = frame.chart(Scale::linear(&abscissa, along, is_reversed(first)))?;
     let corners = [(0.0, 1.0), (1.0, 0.0)];
-    chart.draw_series([cells(corners, [columns, rows], &shades, range, NONE)?])?;
-    if range.is_none() {
+    chart.draw_series([SvgElement::cells(corners, [columns, rows], shades)?])?;
+    if colours.is_none() {
         blank(&chart.plotting_area().strip_coord_spec(), column, (failed, plan))?;
     } else if missing > 0 {
         key(&frame.sheet.body, missing)?;
     }
-    frame.complete(chart, colour)
+    frame
+        .complete(chart, |place| colours.as_ref().map_or([NONE; 3], |colours| colours.along(place)))
 }
 
 /// Returns the edges of an axis of the map: values are in the middle of their pixels.
@@ -89,7 +93,7 @@ fn key(area: &Area, missing: usize) -> Result<(), Error> {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::pictures::lettering::checks::{collisions, texts};
+    use crate::pictures::lettering::checks::{collisions, texts as texts_of};
 
     /// The map of an observable of 3 × 3 tops whose sizes are all of this size, and its texts.
     fn map(size: f64, observable: &str, values: &[Option<f64>; 9]) -> (String, Vec<String>) {
@@ -106,7 +110,7 @@ mod tests {
         let column = plan.columns.first().unwrap();
         let failed = values.iter().filter(|value| value.is_none()).count() as u64;
         let drawing = heat_map(&plan, [3, 3], column, values, failed).unwrap();
-        let texts = texts(&drawing);
+        let texts = texts_of(&drawing);
         (drawing, texts)
     }
 
@@ -155,26 +159,26 @@ mod tests {
         assert_eq!(names, ["drift_h", "drift_c1", "drift_c2"]);
         let drawing = heat_map(&plan, [3, 3], &plan.columns[1], &with(VALUES), 0).unwrap();
         assert_eq!(collisions(&drawing, (WIDTH.into(), HEIGHT.into())), [""; 0]);
-        let written = texts(&drawing);
+        let written = texts_of(&drawing);
         let caption = written.join("; ");
         for part in [
             "9 runs",
             "reduced, gauss-8, step 0.1 s",
-            "c1 = Pi·Gamma",
-            "c2 = |Gamma|^2",
-            "I = (1, I2, 3)",
+            "c₁ = Π·Γ",
+            "c₂ = |Γ|²",
+            "I = (1, I₂, 3)",
             "c = (0, 0, 1)",
             "k = 0.25",
-            "Pi(0) = (1, 0.5, 0.3)",
-            "Gamma(0) = (Gamma1, 0, 0.8)",
+            "Π(0) = (1, 0.5, 0.3)",
+            "Γ(0) = (Γ₁, 0, 0.8)",
         ] {
             assert!(caption.contains(part), "{part}: {caption}");
         }
-        for title in ["I2", "Gamma1(0)", "deviation of c1"] {
+        for title in ["I₂", "Γ₁(0)", "deviation of c₁"] {
             assert!(written.iter().any(|text| text == title), "{title}: {written:?}");
         }
         let blank = heat_map(&plan, [3, 3], &plan.columns[0], &[None; 9], 9).unwrap();
-        let texts = texts(&blank);
+        let texts = texts_of(&blank);
         assert!(texts.iter().any(|text| text == "9 of 9 runs could not be followed"), "{texts:?}");
     }
 
@@ -201,12 +205,21 @@ mod tests {
         assert!(texts.iter().any(|text| text == "9 of 9 tops could not be followed"), "{texts:?}");
         assert_eq!(collisions(&drawing, (WIDTH.into(), HEIGHT.into())), [""; 0]);
         // A value that is not a number is none.
-        assert_eq!(map(1.0, "megno", &[Some(f64::NAN); 9]).1.len(), texts.len());
+        let (_, of_nan) = map(1.0, "megno", &[Some(f64::NAN); 9]);
+        assert!(of_nan.iter().any(|text| text == "No top has a value of"), "{of_nan:?}");
         // Controls: one value is enough for a bar of colours; the others are counted beside the colour of no value.
         let (_, texts) =
             map(1.0, "megno", &[Some(3.0), None, None, None, None, None, None, None, None]);
         assert!(texts.iter().any(|text| text == "no value: 8"));
         assert!(!texts.iter().any(|text| text.contains("could not be followed")));
+        // Nothing failed, and yet there is no value: nothing is said of failures.
+        let text = "sweep.observables = ['rotation-number']\nsweep.axes = [\
+            { parameter = 'body.mass', from = 1, to = 2, count = 3 }, \
+            { parameter = 'body.length', from = 1, to = 2, count = 3 }]";
+        let plan = Plan::new(&toml::from_str(text).unwrap()).unwrap();
+        let found = texts_of(&heat_map(&plan, [3, 3], &plan.columns[0], &[None; 9], 0).unwrap());
+        assert!(found.iter().any(|text| text == "No top has a value of"), "{found:?}");
+        assert!(!found.iter().any(|text| text.contains("could not be followed")), "{found:?}");
         assert!(!map(1.0, "megno", &with(VALUES)).1.iter().any(|text| text.contains("no value")));
     }
 }

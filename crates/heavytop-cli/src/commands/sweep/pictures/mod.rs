@@ -2,6 +2,7 @@
 
 mod words;
 mod colours;
+mod map_colours;
 mod heat_map;
 mod member_curve;
 mod sweep_picture;

@@ -28,12 +28,11 @@ pub(super) fn blank(
     (failed, plan): (u64, &Plan),
 ) -> Result<(), Error> {
     let [noun, nouns] = plan.family.nouns();
-    let lines = [
-        format!("No {noun} has a value of"),
-        column.label.clone(),
-        format!("{failed} of {} {nouns} could not be followed", plan.members),
-        "sweep.parquet has the reasons".to_owned(),
-    ];
+    let mut lines = vec![format!("No {noun} has a value of"), column.label.clone()];
+    if failed > 0 {
+        lines.push(format!("{failed} of {} {nouns} could not be followed", plan.members));
+        lines.push("sweep.parquet has the reasons".into());
+    }
     let (width, height) = area.dim_in_pixel();
     for (row, line) in lines.iter().enumerate() {
         let y = f64::from(height) / 2.0 + 1.2 * LINE * TEXT * (row as f64 - 1.0);

@@ -6,8 +6,10 @@ const FLOOR = -1.22;
 const LIGHT = unit([0.35, -0.5, 0.8]);
 
 class Scene {
-  constructor(canvas, inertia, largestMomentum) {
+  /** A body that stands has a post below its support; a free one has none. */
+  constructor(canvas, inertia, largestMomentum, stands = true) {
     this.canvas = canvas;
+    this.stands = stands;
     this.camera = new Camera();
     this.paint = canvas.getContext("2d");
     this.show(inertia, largestMomentum);
@@ -107,7 +109,7 @@ class Scene {
     });
   }
 
-  /** The sphere of directions with meridians and parallels, the support and the floor. */
+  /** The sphere of directions with meridians and parallels, and for a body that stands the support and the floor. */
   surroundings() {
     const circle = (f) => Array.from({ length: 61 }, (_, i) => f(2 * Math.PI * i / 60));
     for (let k = 0; k < 6; k++) {
@@ -118,6 +120,7 @@ class Scene {
       const [r, z] = [Math.cos(k * Math.PI / 6), Math.sin(k * Math.PI / 6)];
       this.halves(circle((a) => [r * Math.cos(a), r * Math.sin(a), z]), "--sphere", k === 0 ? 1.4 : 1, [0.13, 0.3]);
     }
+    if (!this.stands) return;
     for (const r of [0.2, 0.5]) {
       this.halves(circle((a) => [r * Math.cos(a), r * Math.sin(a), FLOOR]), "--quiet", 1.2, [0.45, 0.45]);
     }
