@@ -2,8 +2,8 @@
 
 use super::numerals::significant;
 use super::symbols;
-use heavytop::HeavyTop;
 use heavytop::methods::{Formulation, SchemeName};
+use heavytop::{HeavyTop, PrincipalAxes};
 use lie_poisson::{Covector, Pair, Se3Dual};
 
 /// The number of significant digits in captions.
@@ -53,10 +53,19 @@ pub(crate) fn method(formulation: Formulation, scheme: SchemeName, step: f64) ->
 
 /// Returns the numbers of a top.
 pub(crate) fn top(top: &HeavyTop) -> String {
+    top_in(top, &PrincipalAxes::aligned(top.inertia()))
+}
+
+/// Returns the parameters of a top whose users have other axes than the principal ones: c is in theirs.
+pub(crate) fn top_in(top: &HeavyTop, axes: &PrincipalAxes) -> String {
     let inertia: [f64; 3] = top.inertia().into();
-    let center: [f64; 3] = top.center_of_mass().into();
-    let weight = number(top.weight_moment());
-    format!("I = {} kg m², m g l = {weight} N m, c = {}", vector(inertia), vector(center))
+    let center: [f64; 3] = axes.from_principal(&top.center_of_mass()).into();
+    let (weight, moments) = (number(top.weight_moment()), vector(inertia));
+    let moments = match axes.is_aligned() {
+        true => format!("I = {moments} kg m²"),
+        false => format!("principal moments {moments} kg m²"),
+    };
+    format!("{moments}, m g l = {weight} N m, c = {}", vector(center))
 }
 
 /// Returns the numbers of an initial state.

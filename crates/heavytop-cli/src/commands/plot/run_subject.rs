@@ -30,7 +30,8 @@ impl RunSubject {
     pub fn new(config: &Config) -> Result<Self, Error> {
         let Some(table) = config.system()? else {
             let run = config.experiment()?;
-            let about = vec![caption::top(&run.model.top), caption::start(&run.initial_state())];
+            let (model, start) = (&run.model, run.model.given(&run.initial_state()));
+            let about = vec![caption::top_in(&model.top, &model.axes), caption::start(&start)];
             return Ok(Self::Coordinates { run: Box::new(run), kind: None, about });
         };
         if let Some(arrays) = table.array_system()? {

@@ -5,12 +5,14 @@ use super::histories::panels_picture::{columns_picture, panels_picture};
 use super::histories::phase_portrait::phase_portrait;
 use super::plot_options::PlotOptions;
 use super::quantities::run_column::RunColumn;
-use super::quantities::selection::{chosen, column, vector};
+use super::quantities::selection::{attitude, chosen, column, vector};
 use super::run_arrays::RunArrays;
 use super::run_subject::RunSubject;
-use super::samples::direction_track::direction_track;
+use super::samples::direction_track::{Direction, direction_track};
 use super::view::View;
 use crate::errors::Error;
+use lie_poisson::Quaternion;
+use nalgebra::Vector3;
 
 /// Draws a whole run: the columns or the direction that the options choose, a chain of spins, or the coordinates.
 ///
@@ -29,7 +31,14 @@ pub(super) fn whole_run(run: &RunArrays, options: &PlotOptions) -> Result<String
     let all = RunColumn::all(run, experiment)?;
     let failed = |error| run.failed(error);
     if let Some(name) = &options.trace {
-        return direction_track(run, vector(&all, name).map_err(failed)?);
+        return match name.as_str() {
+            "axis" => axis_track(run, &all),
+            _ => {
+                let array = vector(&all, name).map_err(failed)?;
+                let title = array.title.clone();
+                direction_track(run, &Direction { title, array, of: &<[f64]>::to_vec })
+            }
+        };
     }
     if options.columns.is_empty() {
         return match run.subject.view() {
@@ -42,4 +51,18 @@ pub(super) fn whole_run(run: &RunArrays, options: &PlotOptions) -> Result<String
         Some(name) => phase_portrait(run, experiment, columns, column(&all, name).map_err(failed)?),
         None => columns_picture(run, experiment, columns),
     }
+}
+
+/// Draws the track in space of the line from the support of a top to its centre of mass: R c, by the attitude.
+fn axis_track(run: &RunArrays, all: &[RunColumn]) -> Result<String, Error> {
+    let array = attitude(all).map_err(|error| run.failed(error))?;
+    let center = Vector3::from(run.config.body.center_of_mass);
+    let of = |q: &[f64]| match *q {
+        [scalar, x, y, z] => {
+            let rotation = Quaternion { scalar, vector: Vector3::new(x, y, z) };
+            rotation.rotate(&center).iter().copied().collect()
+        }
+        _ => Vec::new(),
+    };
+    direction_track(run, &Direction { title: "the axis in space".into(), array, of: &of })
 }

@@ -39,6 +39,9 @@ pub enum FieldFileError {
 
 /// Returns the end of a message that says how the run of a top gets a column of this name.
 fn on_request(name: &str) -> String {
+    if name == "q" {
+        return "; write attitude = true under [output], and simulate again".into();
+    }
     let named = TopQuantity::NAMES
         .iter()
         .find(|(known, _)| known.replace('-', "_") == name.replace('-', "_"));

@@ -14,7 +14,8 @@ Of a top or a system by formula it draws, instead of this:
   --columns NAMES   only these columns or arrays, such as theta,Omega, in this order: a panel for
                     each array or unit
   --against NAME    the columns against this one instead of t: a projection of the orbit
-  --trace ARRAY     the track of the direction of a vector, such as Gamma, on the sphere
+  --trace ARRAY     the track of the direction of a vector, such as Gamma, on the sphere; axis is the
+                    line from the support of a top to its centre of mass, in space
 An unknown name is an error that lists the names of the run.
 
 What is drawn at one time is a film in a file .gif. All frames have the same scale of colours.";

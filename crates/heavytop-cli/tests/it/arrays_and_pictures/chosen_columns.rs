@@ -47,8 +47,8 @@ fn columns_that_a_run_was_asked_for_have_panels() {
     let folder = Folder::new();
     let (svg, _) = drawn(&folder, TOP, &[]);
     let fields = outlines(&svg);
-    // Π, Γ, Ω, the angles, the height, both energies, the spatial momentum, and the deviations.
-    assert_eq!(fields.len(), 8);
+    // Π, Γ, Ω, φ and ψ, θ, the height, both energies, the spatial momentum, and the deviations.
+    assert_eq!(fields.len(), 9);
     let time = scaled(&column(&folder, "t"), [0.0, 3.0]);
     let omega: Vec<Vec<f64>> = ["Omega1", "Omega2", "Omega3"].map(|n| column(&folder, n)).into();
     let range = ends(&omega.concat());
@@ -65,15 +65,15 @@ fn columns_that_a_run_was_asked_for_have_panels() {
     // ψ has a piece more for each jump.
     let spin = column(&folder, "psi");
     let jumps = spin.windows(2).filter(|pair| (pair[0] - pair[1]).abs() > 3.0).count();
-    let third = |field: &Outline| {
+    let second = |field: &Outline| {
         let inside = |curve: &&String| {
             let place = Outline::of(curve);
             place.top >= field.top && place.bottom <= field.bottom
         };
-        lines(&svg, COLOURS[2], 21).iter().filter(inside).count()
+        lines(&svg, COLOURS[1], 21).iter().filter(inside).count()
     };
     assert!(jumps > 2, "the spin does not pass π");
-    assert_eq!((third(&fields[3]), third(&fields[2])), (jumps + 1, 1));
+    assert_eq!((second(&fields[3]), second(&fields[2])), (jumps + 1, 1));
 }
 
 #[test]
@@ -120,15 +120,29 @@ fn a_column_is_drawn_against_another_one() {
     }
 }
 
+/// Returns the components of R e₃ by the Euler angles: (sin θ sin φ, −sin θ cos φ, cos θ).
+fn axis_in_space(folder: &Folder) -> [Vec<f64>; 3] {
+    let [phi, theta] = ["phi", "theta"].map(|name| column(folder, name));
+    let angles = || phi.iter().zip(&theta);
+    [
+        angles().map(|(phi, theta)| theta.sin() * phi.sin()).collect(),
+        angles().map(|(phi, theta)| -theta.sin() * phi.cos()).collect(),
+        angles().map(|(_, theta)| theta.cos()).collect(),
+    ]
+}
+
 #[test]
 fn the_track_of_a_direction_is_on_the_sphere() {
     let folder = Folder::new();
-    for (array, size) in [("Gamma", 1.0), ("spatial_momentum", 4.6)] {
+    for (array, size) in [("Gamma", 1.0), ("spatial_momentum", 4.6), ("axis", 1.0)] {
         let (svg, _) = drawn(&folder, TOP, &["--trace", array]);
         // The outline of the map is the narrower of the two.
         let outline = outlines(&svg).into_iter().min_by(|a, b| a.width().total_cmp(&b.width()));
         let outline = outline.unwrap();
-        let vector = [1, 2, 3].map(|i| column(&folder, &format!("{array}{i}")));
+        let vector = match array {
+            "axis" => axis_in_space(&folder),
+            _ => [1, 2, 3].map(|i| column(&folder, &format!("{array}{i}"))),
+        };
         let points: Vec<f64> =
             lines(&svg, "#0072b2", 14).iter().flat_map(|piece| numbers_of(piece)).collect();
         for sample in 0..vector[0].len() {
@@ -159,6 +173,8 @@ fn columns_that_are_missing_and_options_that_contradict_each_other_are_refused()
         ),
         (&["--columns", "Pi1", "--against", "Pi"], "no column Pi; it has t, Pi1, Pi2"),
         (&["--trace", "h"], "no vector of three components h; it has Pi, Gamma"),
+        (&["--trace", "axis"], "write attitude = true under [output]"),
+        (&["--columns", "theta"], "write columns = [\"euler-angles\"] under [output]"),
         (&["--against", "Pi1"], "--against is for pictures of --columns"),
         (&["--columns", "Pi1", "--trace", "Pi"], "--columns is for pictures without --trace"),
         (&["--columns", "Pi1", "--sample", "0"], "--sample is for lattices"),

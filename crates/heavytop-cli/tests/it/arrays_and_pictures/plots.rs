@@ -82,16 +82,45 @@ fn vortices_and_their_tracks_are_where_they_are_on_the_sphere() {
     assert_eq!(lines(&first, "#b2182b", 12), pieces[0]);
 }
 
+/// A chain of three spins about this field.
+fn chain(field: &str) -> String {
+    format!(
+        "[system]\nkind = 'spin-chain'\nparameters = {{ spins = 3, exchange = 1, field = {field} }}\n\
+         initial = {{ S_1 = [1, 0, 0], S_2 = [0, 1, 0], S_3 = [0, 0.6, 0.8] }}\n[integrator]\nstep = 0.05\nend = 2\n"
+    )
+}
+
 #[test]
 fn a_chain_by_formula_has_a_row_of_pixels_for_each_spin() {
     let folder = Folder::new();
-    let text = "[system]\nkind = 'spin-chain'\nparameters = { spins = 3, exchange = 1, field = [0.3, 0, 0.2] }\n\
-        initial = { S_1 = [1, 0, 0], S_2 = [0, 1, 0], S_3 = [0, 0.6, 0.8] }\n[integrator]\nstep = 0.05\nend = 2\n";
+    let (svg, rows) = drawn(&folder, &chain("[0.3, 0, 0.2]"), &[]);
+    assert_eq!(colours(&svg).len(), 3 * rows.len());
+    assert_drawn(&svg, &rows, 3);
+}
+
+/// A spin wave about e₃ is not seen in the third components.
+#[test]
+fn a_chain_shows_the_component_that_varies() {
+    let folder = Folder::new();
+    let text = "[system]\nkind = 'spin-lattice'\nparameters = { shape = [8], exchange = 1 }\n\
+        initial = { direction = [0, 0, 1], waves = [1], cone = 0.2 }\n[integrator]\nstep = 0.1\nend = 3\n";
     let (svg, rows) = drawn(&folder, text, &[]);
-    let pixels = colours(&svg);
-    assert_eq!(pixels.len(), 3 * rows.len());
-    let thirds = |spin: usize| rows.iter().map(move |row| row[3 * spin + 3]);
-    let above: Vec<f64> = (0..3).rev().flat_map(thirds).collect();
+    let greens =
+        colours(&svg).iter().map(|pixel| pixel[1]).collect::<std::collections::BTreeSet<_>>();
+    assert!(greens.len() > 50, "{greens:?}");
+    // Control: the third components are all alike.
+    let range = |component: usize| {
+        let values = || rows.iter().map(|row| row[component]);
+        values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
+    };
+    assert!(range(3) < 1e-12 && range(1) > 0.1);
+}
+
+/// Checks that the pixels are those of a component of the spins, by the greens of viridis.
+fn assert_drawn(svg: &str, rows: &[Vec<f64>], component: usize) {
+    let pixels = colours(svg);
+    let of_spin = |spin: usize| rows.iter().map(move |row| row[3 * spin + component]);
+    let above: Vec<f64> = (0..3).rev().flat_map(of_spin).collect();
     let most = above.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let least = above.iter().copied().fold(f64::INFINITY, f64::min);
     // The greens of viridis at equal distances.

@@ -62,6 +62,10 @@ impl PanelPlan {
         match &self.columns[..] {
             [] => String::new(),
             [only] => only.with_unit(&only.symbol),
+            [first, ..] if first.is_periodic() => {
+                let symbols: Vec<&str> = self.columns.iter().map(|one| &*one.symbol).collect();
+                first.with_unit(&symbols.join(", "))
+            }
             [first, ..] if !first.is_number() => first.with_unit(&first.title),
             [first, ..] if first.unit.is_none() => "coordinates".into(),
             [first, ..] if first.unit == Some("J") => first.with_unit("energy"),
@@ -95,6 +99,11 @@ impl PanelPlan {
 
 /// Returns whether two columns belong into one panel.
 fn are_together(one: &RunColumn, other: &RunColumn) -> bool {
+    // The inclination is in degrees of its own: beside angles that turn round it would look flat.
+    let angles = one.array == "euler_angles" && one.unit.is_some();
+    if angles && one.array == other.array {
+        return one.is_periodic() == other.is_periodic();
+    }
     one.array == other.array || one.is_number() && other.is_number() && one.unit == other.unit
 }
 

@@ -29,7 +29,7 @@ pub(in crate::commands::plot) fn phase_portrait(
     let stride = run.times.len().div_ceil(MOST_POINTS).max(1);
     let named = columns.iter().chain([abscissa]).map(|column| column.name.clone());
     let named: Vec<String> = named.collect();
-    let thinned = (stride > 1).then(|| format!("one sample of {stride}"));
+    let thinned = (stride > 1).then(|| format!("every {stride} samples one is drawn"));
     let caption: Vec<String> = caption(run, experiment, &named).chain(thinned).collect();
     let plans = PanelPlan::chosen(columns)?;
     let height = HEIGHTS[usize::from(plans.len() > 1)];

@@ -62,6 +62,15 @@ pub(in crate::commands::plot) fn vector<'a>(
     })
 }
 
+/// Returns the first column of the attitude.
+///
+/// # Errors
+/// [`FieldFileError::NoArray`] if there is none.
+pub(in crate::commands::plot) fn attitude(all: &[RunColumn]) -> Result<&RunColumn, FieldFileError> {
+    let found = all.iter().find(|column| column.array == "q" && column.shape == [4]);
+    found.ok_or_else(|| missing("attitude", "q", all.iter().map(|column| &column.array)))
+}
+
 /// Returns a name as archives have it: those of `[output] columns` have hyphens.
 fn in_archives(name: &str) -> String {
     name.replace('-', "_")

@@ -14,6 +14,16 @@ use plotters::prelude::*;
 const TRACK: u32 = 14;
 const RADIUS: i32 = 70;
 
+/// A direction that a run has at each sample.
+pub(in crate::commands::plot) struct Direction<'a> {
+    /// Its name in the caption.
+    pub title: String,
+    /// The array of the archive that tells it.
+    pub array: &'a RunColumn,
+    /// Returns a vector along it from a sample of the array.
+    pub of: &'a dyn Fn(&[f64]) -> Vec<f64>,
+}
+
 /// Draws the track of the direction of a vector over the whole run, with a disk at its start and a ring at its end. Where
 /// the vector is 0, it has no direction, and the track a gap.
 ///
@@ -21,13 +31,13 @@ const RADIUS: i32 = 70;
 /// If the samples cannot be read.
 pub(in crate::commands::plot) fn direction_track(
     run: &RunArrays,
-    vector: &RunColumn,
+    Direction { title, array, of }: &Direction<'_>,
 ) -> Result<String, Error> {
     let (last, stride) = (run.times.len().saturating_sub(1), run.times.len().div_ceil(MOST_POINTS));
     let mut tracks = vec![Vec::new()];
-    run.each(&[(vector.array.clone(), vector.shape.clone())], |sample, values| {
+    run.each(&[(array.array.clone(), array.shape.clone())], |sample, values| {
         if sample.is_multiple_of(stride) || sample == last {
-            match (direction(values), tracks.last_mut()) {
+            match (direction(&of(values)), tracks.last_mut()) {
                 (Some(direction), Some(track)) => track.push(direction),
                 _ => tracks.push(Vec::new()),
             }
@@ -35,8 +45,8 @@ pub(in crate::commands::plot) fn direction_track(
         Ok(true)
     })?;
     let [start, end] = [0, last].map(|sample| number(run.time(sample)));
-    let what = format!("direction of {}, disk t = {start} s, ring t = {end} s", vector.title);
-    let thinned = (stride > 1).then(|| format!("one sample of {stride}"));
+    let what = format!("direction of {title}, disk t = {start} s, ring t = {end} s");
+    let thinned = (stride > 1).then(|| format!("every {stride} samples one is drawn"));
     let caption: Vec<String> = run.caption(what).into_iter().chain(thinned).collect();
     let mut map = SphereMap::new(&caption, None)?;
     map.draw()?;

@@ -7,7 +7,7 @@ use crate::errors::Error;
 use crate::pictures::caption::{self, number};
 use collective_integrators::Direction;
 use heavytop::methods::{Formulation, Method};
-use heavytop::{EnergyLevel, Invariant, Section, Surface, SurfaceVariable};
+use heavytop::{EnergyLevel, Invariant, PrincipalAxes, Section, Surface, SurfaceVariable};
 use lie_poisson::Se3Dual;
 use lie_poisson_runs::step_angle::{USUAL_TURN, fastest_rate_of_top, require_turn};
 use lie_poisson_runs::{Model, TopInAxes};
@@ -152,7 +152,11 @@ impl SectionProblem for TopProblem {
                 (inclination, ("Π·n".into(), " (kg m²/s)"))
             }
         };
-        Drawing { caption: words(&self.section, &self.method, limits), abscissa, ordinate }
+        Drawing {
+            caption: words(&self.section, &self.model.axes, &self.method, limits),
+            abscissa,
+            ordinate,
+        }
     }
 
     fn starts(&self, limits: &Limits) -> Result<Vec<Vec<f64>>, Error> {
@@ -166,7 +170,7 @@ fn index(variable: SurfaceVariable) -> &'static str {
 }
 
 /// Returns the parts of the caption: level, surface, top, method and starts.
-fn words(section: &Section, method: &Method, limits: &Limits) -> Vec<String> {
+fn words(section: &Section, axes: &PrincipalAxes, method: &Method, limits: &Limits) -> Vec<String> {
     let EnergyLevel { top, energy, vertical_momentum } = section.level();
     let Surface { variable, level, direction } = section.surface();
     let index = index(*variable);
@@ -187,7 +191,7 @@ fn words(section: &Section, method: &Method, limits: &Limits) -> Vec<String> {
             "<tspan font-style='italic'>h</tspan> = {energy} J, Π·Γ = {vertical_momentum} kg m²/s"
         ),
         format!("{fixed}{}{node}", crossed(*direction)),
-        caption::top(top),
+        caption::top_in(top, axes),
         caption::method(method.formulation(), method.scheme(), limits.step),
         followed(limits),
     ]
