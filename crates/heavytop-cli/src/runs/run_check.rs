@@ -144,3 +144,20 @@ pub(crate) fn write_accuracy(
     }
     check.map_or(Ok(()), |check| write!(to, "; {check}"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_check_warns_of_what_the_estimate_has_not_shown() {
+        let check = |error| RunCheck { error, order: None, no_order: None };
+        let estimate = |error| RunAccuracy { step: 0.1, order: 8, angle: 0.1, error, chaos: None };
+        let warning = check(Some(0.5)).warning(&estimate(Some(1e-9)));
+        assert!(warning.is_some_and(|text| text.contains("about 5.0e-1")));
+        // Controls: a small error, and one that has been told.
+        assert_eq!(check(Some(1e-4)).warning(&estimate(Some(1e-9))), None);
+        assert_eq!(check(Some(0.5)).warning(&estimate(Some(1.0))), None);
+        assert_eq!(check(None).warning(&estimate(None)), None);
+    }
+}
