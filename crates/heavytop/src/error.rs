@@ -57,8 +57,9 @@ pub enum TopError {
     },
     /// The moments leave no room for the mass at its distance from the support.
     #[error(
-        "no body has these moments about the support: with {point:?} kg m² of the mass at the centre of mass taken off, \
-         {least:?}, {middle:?} and {greatest:?} kg m² remain about the centre of mass"
+        "no body has these moments about the support: with {:?} kg m² of the mass at the centre of mass taken off, \
+         {:?}, {:?} and {:?} kg m² remain about the centre of mass",
+        rounded(*point), rounded(*least), rounded(*middle), rounded(*greatest)
     )]
     ImpossibleBody {
         /// The moment m l² of the mass at the centre of mass, kg m².
@@ -159,4 +160,9 @@ pub(crate) fn require_not_negative(name: &'static str, value: f64) -> Result<(),
 
 pub(crate) fn require_finite(name: &'static str, value: f64) -> Result<(), TopError> {
     if value.is_finite() { Ok(()) } else { Err(TopError::NotFinite { name, value }) }
+}
+
+/// Returns a number without the digits that its computation has rounded.
+fn rounded(x: f64) -> f64 {
+    format!("{x:.12e}").parse().unwrap_or(x)
 }

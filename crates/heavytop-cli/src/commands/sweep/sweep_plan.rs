@@ -75,7 +75,10 @@ impl Plan {
         require_different_names(&axes, &columns)?;
         let integration = match config.integrator.step {
             Some(_) => integration,
-            None => with_step(integration, &*family, (&axes, seed), members),
+            None => {
+                let has_end = config.integrator.end.is_some();
+                with_step(integration, &*family, (&axes, seed), (members, has_end))
+            }
         };
         let schedule = Schedule::new(integration.step, integration.end)?;
         let course = Course { schedule, observables };
@@ -98,20 +101,23 @@ impl Plan {
     }
 }
 
-/// Returns an integrator whose step (s) is not too long for the members that are tried, spread over all of them. Those that do not
-/// exist have no say.
+/// Returns an integrator whose step is not too long for the members that are tried, spread over all of them. Those that do not
+/// exist have no say. An end that is left out comes with the step, so that the number of steps stays.
 fn with_step(
     integration: Integration,
     family: &dyn Family,
     (axes, seed): (&[SweepAxis], u64),
-    members: u64,
+    (members, has_end): (u64, bool),
 ) -> Integration {
-    let tried =
-        (0..TRIED.min(members)).map(|n| n * (members - 1) / (TRIED.min(members) - 1).max(1));
-    let rates = tried.filter_map(|n| family.fastest_rate(&parameters(axes, seed, n)).ok());
+    let tried = TRIED.min(members);
+    let last = (members.saturating_sub(1), tried.saturating_sub(1).max(1));
+    let numbers = (0..tried).map(|n| n * last.0 / last.1);
+    let rates = numbers.filter_map(|n| family.fastest_rate(&parameters(axes, seed, n)).ok());
     let fastest = rates.filter(|rate| rate.is_finite()).fold(0.0, f64::max);
-    let step = usual_step(integration.step.abs(), integration.end, fastest);
-    Integration { step: step.copysign(integration.step), ..integration }
+    let Integration { step, end, .. } = integration;
+    let shorter = usual_step(step.abs(), end, fastest).copysign(step);
+    let end = if has_end { end } else { end * (shorter / step) };
+    Integration { step: shorter, end, ..integration }
 }
 
 /// Returns the values of the axes for a member: [`Plan::parameters`].

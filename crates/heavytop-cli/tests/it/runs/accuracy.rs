@@ -104,6 +104,12 @@ fn steps_that_are_left_out_resolve_the_motion() {
     assert!(step < 0.5 / 300.0 && step > 0.5 / 600.0, "{step}");
     let (_, said) = summary(&folder, &["sweep", "a.toml", "--out", "s"]);
     assert_eq!(said, "");
+    // An end that is left out comes after as many steps as usual.
+    let text = folder.read("a.toml").replace("end = 1\n", "");
+    folder.write("b.toml", &text);
+    let (found, said) = summary(&folder, &["sweep", "b.toml", "--out", "t"]);
+    let [step, end] = ["step", "end"].map(|key| found[key].as_f64().unwrap());
+    assert!(said.is_empty() && step < 0.005 && (end / step - 1000.0).abs() < 1e-9, "{found}");
     // Control: the step of a slow top is the usual one.
     assert_eq!(summary(&folder, &["report"]).0["step"].as_f64(), Some(0.02));
 }
