@@ -170,7 +170,7 @@ macro_rules! energy {
         impl $crate::Energy for $name {
             type Space = $space;
 
-            #[cfg_attr(optimised, inline(always))]
+            #[inline(always)]
             fn energy<T: $crate::Real>(&self, $point: &$crate::Point<$space, T>) -> T {
                 let $system = self;
                 $formula
