@@ -25,7 +25,10 @@ function happening(motion) {
   return { name: "The run", seconds: motion.end };
 }
 
-/** The time after which the centre of mass has gone around the vertical; undefined if it does not or comes too near to it. */
+/**
+ * The time after which the centre of mass has gone around the vertical, or would have if the run, which shows a radian of it at
+ * least, went on; undefined if it does not go round, or comes too near to the vertical.
+ */
 function precession(motion) {
   let [angle, last] = [0, undefined];
   for (let frame = 0; frame < motion.frames; frame++) {
@@ -34,12 +37,15 @@ function precession(motion) {
     const azimuth = Math.atan2(y, x);
     if (last !== undefined) {
       const step = azimuth - last;
-      angle += step - 2 * Math.PI * Math.round(step / (2 * Math.PI));
+      const turn = step - 2 * Math.PI * Math.round(step / (2 * Math.PI));
+      // A pendulum has passed the vertical.
+      if (Math.abs(turn) > 2) return undefined;
+      angle += turn;
     }
     last = azimuth;
     if (Math.abs(angle) >= 2 * Math.PI) return motion.time(frame);
   }
-  return undefined;
+  return Math.abs(angle) >= 1 ? motion.end * 2 * Math.PI / Math.abs(angle) : undefined;
 }
 
 /** The time at which the vector in three columns first comes back near its start; undefined if it hardly leaves it. */
