@@ -64,8 +64,8 @@ impl Effort {
 /// many fewer steps are repeated as it is larger, but 8 at least; where they are fewer than 128, no neighbour is followed.
 ///
 /// On integrable and on chaotic tops, for methods of order 2, 4 and 8 and steps from 0.02 to 1 rad, it was between 1/3 and
-/// 3 times the true error where that is above 10⁻¹². What happens only after the part that the neighbour is followed is not
-/// seen.
+/// 3 times the true error where that is above 10⁻¹². What happens only beyond the part over which the neighbour
+/// is followed is not seen.
 ///
 /// The repetitions do not change the run: they begin again from the start. If a step of them fails, or a distance is not a
 /// number, or the run has no steps, or `going`, which is asked every 4096 steps at least, tells them to end, there is no
