@@ -14,7 +14,7 @@ pub enum FieldFileError {
     #[error("{0}")]
     Format(String),
     /// There is no array of this name, or nothing else that was looked for.
-    #[error("it has no {kind} {name}; it has {}", if has.is_empty() { "none".into() } else { has.join(", ") } + &on_request(name))]
+    #[error("it has no {kind} {name}; it has {}", if has.is_empty() { "none".into() } else { has.join(", ") } + &on_request(kind, name))]
     NoArray {
         /// What was looked for, such as "array".
         kind: &'static str,
@@ -38,8 +38,8 @@ pub enum FieldFileError {
 }
 
 /// Returns the end of a message that says how the run of a top gets a column of this name.
-fn on_request(name: &str) -> String {
-    if name == "q" {
+fn on_request(kind: &str, name: &str) -> String {
+    if kind == "attitude" {
         return "; write attitude = true under [output], and simulate again".into();
     }
     let named = TopQuantity::NAMES

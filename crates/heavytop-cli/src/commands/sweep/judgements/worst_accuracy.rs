@@ -94,7 +94,7 @@ mod tests {
     fn the_worst_member_counts() {
         let sweep = |most: f64| {
             let text = format!(
-                "[integrator]\nend = 10\n[[sweep.axes]]\n\
+                "[integrator]\nstep = 0.1\nend = 10\n[[sweep.axes]]\n\
                  parameter = 'initial.angular_momentum[2]'\nfrom = 0\nto = {most}\ncount = 3"
             );
             worst_accuracy(&plan(&text), &|| true).unwrap()

@@ -98,7 +98,8 @@ mod tests {
     /// The map of an observable of 3 × 3 tops whose sizes are all of this size, and its texts.
     fn map(size: f64, observable: &str, values: &[Option<f64>; 9]) -> (String, Vec<String>) {
         let text = format!(
-            "body = {{ inertia = [{0:e}, {1:e}, {size:e}], mass = {size:e}, gravity = 1.0 }}\n\
+            "integrator = {{ step = 0.1, end = 100 }}\n\
+             body = {{ inertia = [{0:e}, {1:e}, {size:e}], mass = {size:e}, gravity = 1.0 }}\n\
              sweep.observables = ['{observable}']\n\
              [[sweep.axes]]\nparameter = 'initial.angular_momentum[0]'\n\
              from = -{0:e}\nto = {0:e}\ncount = 3\n\
