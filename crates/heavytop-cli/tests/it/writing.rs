@@ -31,6 +31,7 @@ const FEW: [&str; 4] = ["--set", "section.starts=2", "--set", "section.crossings
 /// A system, as an assignment.
 pub const SYSTEM: &str = "system={algebra='so(3)',hamiltonian='Pi1^2+2*Pi2^2+3*Pi3^2',\
     initial={Pi=[1.0,0.5,0.3]}}";
+const EVENTS: &str = "events.functions=['Gamma3','Pi1 - 1']";
 const MAP: &str = "sweep={observables=['megno'],axes=[\
     {parameter='body.inertia[1]',from=1,to=3,count=9},\
     {parameter='initial.angular_momentum[2]',from=0,to=4,count=9}]}";
@@ -42,7 +43,7 @@ const LINE: &str =
     "sweep={observables=['megno'],axes=[{parameter='body.inertia[1]',from=1,to=3,count=81}]}";
 
 /// All commands that write files, in each of their formats.
-pub static WRITING: [Writing; 12] = [
+pub static WRITING: [Writing; 13] = [
     Writing {
         arguments: &["simulate", "--out", "a.csv", "--set", "integrator.end=24"],
         files: &["a.csv"],
@@ -152,6 +153,13 @@ pub static WRITING: [Writing; 12] = [
     Writing {
         arguments: &["animate", "--out", "a.html", "--set", SHORT],
         files: &["a.html"],
+        anew: &[],
+        repeats: true,
+        undisturbed: OnceLock::new(),
+    },
+    Writing {
+        arguments: &["events", "--out", "e.csv", "--set", EVENTS, "--set", "integrator.end=24"],
+        files: &["e.csv"],
         anew: &[],
         repeats: true,
         undisturbed: OnceLock::new(),
