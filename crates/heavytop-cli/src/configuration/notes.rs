@@ -55,7 +55,7 @@ const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.
 
 /// Returns a number without the digits that its computation has rounded.
 fn rounded(x: f64) -> f64 {
-    format!("{x:.12e}").parse().unwrap_or(x)
+    format!("{x:.7e}").parse().unwrap_or(x)
 }
 
 /// Writes a line for each note.
@@ -70,7 +70,8 @@ impl fmt::Display for Notes {
             match axes == IDENTITY {
                 true => writeln!(to)?,
                 false => {
-                    writeln!(to, ", about the axes {axes:?}; the output is in the axes of [body]")?
+                    let axes = axes.map(|axis| axis.map(rounded));
+                    writeln!(to, ", about the axes {axes:?}; the output is in the axes of [body]")?;
                 }
             }
         }

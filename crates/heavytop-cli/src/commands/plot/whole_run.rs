@@ -32,6 +32,10 @@ pub(super) fn whole_run(run: &RunArrays, options: &PlotOptions) -> Result<String
     let failed = |error| run.failed(error);
     if let Some(name) = &options.trace {
         return match name.as_str() {
+            "axis" if run.config.system.is_some() => {
+                let kind = "runs of tops with their attitude; of a system name a vector";
+                Err(Error::OtherPicture { option: "trace axis", kind })
+            }
             "axis" => axis_track(run, &all),
             _ => {
                 let array = vector(&all, name).map_err(failed)?;

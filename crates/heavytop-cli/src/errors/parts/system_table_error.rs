@@ -96,7 +96,7 @@ impl SystemTableError {
     pub fn keys(&self) -> Vec<(String, &'static str)> {
         let key = |key: &str, note| vec![(key.to_owned(), note)];
         match self {
-            Self::CommandOfTops => key("system", "use simulate, section or sweep"),
+            Self::CommandOfTops => key("system", "use simulate, events, section or sweep"),
             Self::Top(table) => key(table, "remove the table"),
             Self::Missing(_) => key("system", "add the key"),
             Self::TwoAlgebras => ["brackets", "structure_constants", "coordinates", "algebra", ""]

@@ -60,10 +60,11 @@ Tell the precession, nutation and spin of a top, beside the formulas of textbook
 The top of the configuration is followed, with its method, to its end; a step that is left out is
 0.02 s, or one in which the top turns by 0.5 rad where that turns it by more than 1 rad. The angles
 are those of the line from the support to the centre of mass: θ is its inclination from the
-vertical, φ its precession and ψ the spin about it. Of a body without weight they are those of a
-principal axis about the angular momentum L: the one about which the body goes round. Means are
-taken from the first highest point of the line to the last one; where there are no two, or θ is
-constant, over the whole run.
+vertical, φ its precession and ψ the spin about it. (The column theta of simulate is the inclination
+of e3, which is another line where the centre of mass is not on it.) Of a body without weight they
+are those of a principal axis about the angular momentum L: the one about which the body goes round.
+Means are taken from the first highest point of the line to the last one; where there are no two, or
+θ is constant, over the whole run.
 
 Formulas stand where a textbook has them: for a top with an axis of symmetry (Lagrange's) the
 precession and nutation of a fast top, and the closed form by an elliptic integral; for a free body

@@ -214,7 +214,7 @@ invariant-drift, with drift_h, and drift_c1, drift_c2, ... of the Casimirs, whic
 run if an axis varies a parameter of the brackets, and empty where a Casimir is no polynomial;
 relative-drift, with relative_drift_h, relative_drift_c1, ...; lyapunov, megno and sali. What
 [integrator] leaves out: reduced where there is one, or as for simulate; gauss-8, step 0.1 s, end
-100 s.
+100 s, both shortened as for tops.
 
 Examples:
   heavytop sweep --out sweep                      # a small map about the paper's top
