@@ -62,6 +62,14 @@ pub enum Error {
         /// The path of the picture.
         path: PathBuf,
     },
+    /// There is no chart in the terminal of what is asked for.
+    #[error(
+        "{what} cannot be drawn in a terminal: name a picture with --out, such as --out run.png"
+    )]
+    NeedsPicture {
+        /// What is asked for.
+        what: &'static str,
+    },
     /// A picture that shows a whole run would be a film.
     #[error(
         "{} would be a film, and the picture shows the whole run at once: its name must end in .png or .svg",

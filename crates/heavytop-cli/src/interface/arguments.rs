@@ -161,9 +161,10 @@ pub(super) enum Command {
     Plot {
         /// The run: an archive FILE.npz of simulate.
         run: PathBuf,
-        /// The picture to write; its name ends in .png or .svg, or in .gif for a film.
+        /// The picture to write; its name ends in .png or .svg, or in .gif for a film; without it
+        /// columns are drawn in the terminal.
         #[arg(long, value_name = "FILE")]
-        out: PathBuf,
+        out: Option<PathBuf>,
         #[command(flatten)]
         replacing: Replacing,
         /// The number of the sample that is drawn, from 0; without it the last one.

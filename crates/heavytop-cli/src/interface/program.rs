@@ -13,7 +13,7 @@ use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
 use crate::commands::events::events;
 use crate::commands::export::export;
-use crate::commands::plot::{PlotOptions, plot};
+use crate::commands::plot::{PlotOptions, plot, plot_as_text};
 use crate::commands::report::report;
 use crate::commands::reproduce::reproduce;
 use crate::commands::section::{self, section};
@@ -112,8 +112,11 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
         } => {
             let safeguard = Safeguard::new(vec![Input::File(run.clone())], replacing.force);
             let options = PlotOptions { sample, plane, every, fps, columns, against, trace };
-            plot(&run, &out, &options, &watch(quiet, &safeguard))
-                .and_then(|done| closing.print(&done, &Notes::default()))
+            match out {
+                Some(out) => plot(&run, &out, &options, &watch(quiet, &safeguard))
+                    .and_then(|done| closing.print(&done, &Notes::default())),
+                None => plot_as_text(&run, &options).and_then(|charts| print(&charts, json)),
+            }
         }
         Command::Export { run, out, replacing, format, every } => {
             let safeguard = Safeguard::new(vec![Input::File(run.clone())], replacing.force);

@@ -8,6 +8,7 @@ use super::samples::choice::sample_picture;
 use super::samples::film_of_samples::film_of_samples;
 use super::samples::sample_picture::SamplePicture;
 use super::whole_run::whole_run;
+use super::whole_text::whole_text;
 use crate::errors::Error;
 use crate::files::Output;
 use crate::pictures::render::render;
@@ -51,6 +52,16 @@ pub fn plot(
     let (svg, png) = render(&drawing, SCALE)?;
     Output::whole(out, if format == PictureFormat::Svg { svg.as_bytes() } else { &png })?;
     Ok(PlotSummary { out: out.into(), time: run.time(sample), frames: None, is_whole })
+}
+
+/// Draws a run in the archive `run` as text, for a terminal: a chart for each column that the options choose, or for each of the
+/// first coordinates.
+///
+/// # Errors
+/// If the archive cannot be read, there is no such column, or what is asked for needs a picture.
+pub fn plot_as_text(run: &Path, options: &PlotOptions) -> Result<String, Error> {
+    options.require(PictureFormat::Svg)?;
+    whole_text(&RunArrays::open(run)?, options)
 }
 
 /// Draws a sample.

@@ -2,7 +2,7 @@
 
 pub(crate) const PLOT: &str = "\
 Draws a run of simulate, as PNG or SVG:
-  chain of spins   the third components, against time
+  chain of spins   the third components, or those that vary more, against time
   lattice          a plane at one time: third components as colours, the others as arrows
   fluid            the vorticity at one time, in Mollweide's projection
   vortices         their places at one time, in Mollweide's projection; the tracks of up to 48
@@ -14,14 +14,16 @@ Of a top or a system by formula it draws, instead of this:
   --columns NAMES   only these columns or arrays, such as theta,Omega, in this order: a panel for
                     each array or unit
   --against NAME    the columns against this one instead of t: a projection of the orbit
-  --trace ARRAY     the track of the direction of a vector, such as Gamma, on the sphere; axis is the
-                    line from the support of a top to its centre of mass, in space
-An unknown name is an error that lists the names of the run.
+  --trace ARRAY     the track of the direction of a vector, such as Gamma, on the sphere; axis is
+                    the line from the support of a top to its centre of mass, in space
+Without --out the columns, or the first six coordinates, are drawn in the terminal, with the range
+of each. An unknown name is an error that lists the names of the run.
 
 What is drawn at one time is a film in a file .gif. All frames have the same scale of colours.";
 
 pub(crate) const PLOT_EXAMPLES: &str = "\
 Examples:
+  heavytop plot top.npz --columns theta           # in the terminal
   heavytop plot top.npz --out top.svg
   heavytop plot top.npz --out energies.svg --columns kinetic,potential,theta
   heavytop plot top.npz --out portrait.svg --columns Pi2 --against Pi1

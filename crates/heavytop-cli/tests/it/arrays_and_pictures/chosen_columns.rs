@@ -209,3 +209,56 @@ fn spins_and_numbers_by_formula_are_chosen_by_their_own_names() {
     let points: usize = lines(&track, "#0072b2", 14).iter().map(|p| numbers_of(p).len() / 2).sum();
     assert!(points >= rows.len());
 }
+
+/// Returns the rows of dots of a chart of text, from the top: whether each place has one.
+fn dots(chart: &[&str]) -> Vec<Vec<bool>> {
+    let bits = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
+    let row = |(line, row): (&&str, usize)| -> Vec<bool> {
+        let characters = line.chars().map(|c| u32::from(c) - 0x2800);
+        characters.flat_map(|set| bits[row].map(|bit| set & bit != 0)).collect()
+    };
+    chart.iter().flat_map(|line| (0..4).map(move |i| row((line, i)))).collect()
+}
+
+#[test]
+fn columns_are_drawn_in_the_terminal() {
+    let folder = Folder::new();
+    drawn(&folder, TOP, &[]);
+    let run = folder.heavytop(&["plot", "a.npz", "--columns", "theta,Pi1", "--quiet"]);
+    assert_eq!((run.code(), run.stderr()), (0, String::new()));
+    let text = run.stdout();
+    let lines: Vec<&str> = text.lines().filter(|line| !line.is_empty()).collect();
+    assert_eq!(lines.len(), 2 * (1 + 8));
+    for (chart, (name, title)) in
+        lines.chunks(9).zip([("theta", "θ (rad)"), ("Pi1", "Π₁ (kg m²/s)")])
+    {
+        let values = column(&folder, name);
+        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        assert!(
+            chart[0].starts_with(title) && chart[0].ends_with("against t (s) from 0 to 3"),
+            "{text}"
+        );
+        let dots = dots(&chart[1..]);
+        let [width, height] = [dots[0].len(), dots.len()];
+        assert_eq!([width, height], [152, 32]);
+        for (number, value) in values.iter().enumerate() {
+            let at = |part: f64, count: usize| (part * (count - 1) as f64).round() as usize;
+            let x = at(number as f64 / (values.len() - 1) as f64, width);
+            let y = height - 1 - at((value - least) / (most - least), height);
+            let near = |y: usize| (x.max(1) - 1..=(x + 1).min(width - 1)).any(|x| dots[y][x]);
+            assert!((y.max(1) - 1..=(y + 1).min(height - 1)).any(near), "{name} {number}");
+        }
+        // Control: most of the chart has no dots.
+        let set = dots.iter().flatten().filter(|dot| **dot).count();
+        assert!(set < width * height / 4, "{set}");
+    }
+    for (options, told) in [
+        (&["--trace", "Gamma"][..], "a direction on the sphere cannot be drawn in a terminal"),
+        (&["--columns", "x"], "no column or array x"),
+        (&["--fps", "9"], "--fps is for films"),
+    ] {
+        let run = folder.heavytop(&[&["plot", "a.npz"], options].concat());
+        assert!(run.code() == 2 && run.stderr().contains(told), "{options:?} {}", run.stderr());
+    }
+}

@@ -6,7 +6,7 @@ use heavytop_cli::Error;
 use heavytop_cli::commands::animate::animate;
 use heavytop_cli::commands::bench::{Bench, BenchOptions, bench};
 use heavytop_cli::commands::compare::compare;
-use heavytop_cli::commands::plot::{PlotOptions, plot};
+use heavytop_cli::commands::plot::{PlotOptions, plot, plot_as_text};
 use heavytop_cli::commands::reproduce::reproduce;
 use heavytop_cli::commands::simulate::{Checkpoint, SimulateOptions, simulate};
 use heavytop_cli::commands::sweep::sweep;
@@ -77,6 +77,7 @@ fn of_arrays(folder: &Folder) -> BTreeSet<String> {
     let of_one = PlotOptions { sample: Some(0), ..PlotOptions::default() };
     let one_sample = plot(&folder.path("top.npz"), &folder.path("a.gif"), &of_one, &watch);
     folder.write("text.npz", "");
+    let of_track = PlotOptions { trace: Some("Pi".into()), ..PlotOptions::default() };
     let other_shape = folder.path("five.ovf");
     folder.write("five.ovf", "# OOMMF OVF 2.0\n# Begin: Data Text\n");
     [
@@ -86,6 +87,7 @@ fn of_arrays(folder: &Folder) -> BTreeSet<String> {
         ),
         refused("Error::NoPicture", drawn("top.npz", "a.jpg")),
         refused("Error::NoFilm", drawn("top.npz", "a.gif")),
+        refused("Error::NeedsPicture", plot_as_text(&folder.path("top.npz"), &of_track)),
         refused("Error::OtherPicture", one_sample),
         refused("FieldFileError::Read", drawn("missing.npz", "a.png")),
         refused("FieldFileError::Format", drawn("text.npz", "a.png")),

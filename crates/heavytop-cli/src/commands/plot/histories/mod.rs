@@ -2,8 +2,8 @@
 
 mod thinned;
 mod time_axis;
-mod panel_plan;
-mod plan_curves;
+pub(super) mod panel_plan;
+pub(super) mod plan_curves;
 mod deviation_curves;
 pub(super) mod chain_picture;
 pub(super) mod panels_picture;

@@ -12,7 +12,7 @@ const MOST_CHOSEN: usize = 12;
 
 /// A panel: columns of a vector, or some numbers of one unit.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct PanelPlan {
+pub(in crate::commands::plot) struct PanelPlan {
     pub columns: Vec<RunColumn>,
 }
 

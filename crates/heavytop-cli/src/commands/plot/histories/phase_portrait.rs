@@ -52,8 +52,8 @@ pub(in crate::commands::plot) fn phase_portrait(
     panels.draw(&Scale::linear(&axis, &abscissa.with_unit(&abscissa.symbol), false))
 }
 
-/// Reads the curves of a panel. An angle that jumps by 2π has a gap there.
-fn read(
+/// Reads the curves of a panel from every n-th sample. An angle that jumps by 2π has a gap there.
+pub(in crate::commands::plot) fn read(
     run: &RunArrays,
     plan: &PanelPlan,
     abscissa: &RunColumn,

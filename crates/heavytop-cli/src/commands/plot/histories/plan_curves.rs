@@ -10,13 +10,16 @@ use crate::pictures::curves::panels::Panel;
 use std::f64::consts::PI;
 
 /// The curves of a panel: their names, as the inside of an SVG text, and the points.
-pub(super) type Curves = Vec<(String, Vec<(f64, f64)>)>;
+pub(in crate::commands::plot) type Curves = Vec<(String, Vec<(f64, f64)>)>;
 
 /// Reads the curves of a panel against time.
 ///
 /// # Errors
 /// If the samples cannot be read.
-pub(super) fn read_against_time(run: &RunArrays, plan: &PanelPlan) -> Result<Curves, Error> {
+pub(in crate::commands::plot) fn read_against_time(
+    run: &RunArrays,
+    plan: &PanelPlan,
+) -> Result<Curves, Error> {
     let mut curves = vec![Thinned::new(run.times.len()); plan.columns.len()];
     let arrays = plan.arrays();
     let places = plan.places(&arrays);

@@ -1,0 +1,4 @@
+//! Charts in the terminal, of dots in braille characters.
+
+mod dots;
+pub(super) mod terminal_charts;
