@@ -31,7 +31,7 @@
 //! | when you need | use |
 //! |---|---|
 //! | a Poisson integrator on 𝔤∗ from a realisation M: P → 𝔤∗ | [`Collective`] |
-//! | the same for a field that depends on time, or loses energy on its orbit | [`Driven`]; [`DrivenField`] on the equations |
+//! | an integrator that conserves the Casimirs, for a field that depends on time, or loses energy on its orbit | [`Driven`]; [`DrivenField`] on the equations |
 //! | the same for N copies of M, with N known when the program runs | [`CollectiveSites`]; [`LiftFreeSites`] without a lift |
 //! | a collective integrator that computes on 𝔤∗ itself | [`LiftFree`] |
 //! | a scheme applied directly to the equations | [`Direct`] |

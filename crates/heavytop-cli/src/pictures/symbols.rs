@@ -1,9 +1,9 @@
 //! Names of coordinates and formulas as pictures write them: `Pi1^2` is Π₁².
 
-/// The names of the Greek letters from α to ω, in the order of their characters; the second sigma is the final one.
+/// The names of the Greek letters from α to ω, in the order of their characters; the first sigma is the final one.
 const GREEK: [&str; 25] = [
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
-    "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "", "tau", "upsilon", "phi",
+    "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "", "sigma", "tau", "upsilon", "phi",
     "chi", "psi", "omega",
 ];
 
@@ -85,8 +85,11 @@ fn length_of_number(text: &str) -> usize {
 fn exponent(text: &str) -> Option<char> {
     let mut letters = text.chars();
     let digit = letters.next()?.to_digit(10)?;
-    let goes_on = letters.next().is_some_and(|next| is_in_name(next) || next == '.');
-    (!goes_on).then(|| RAISED[digit as usize])
+    let rest = letters.as_str();
+    let goes_on = rest.starts_with(|next| is_in_name(next) || next == '.');
+    // Of a power of a power the exponents would run into one another.
+    let is_power = ["^", "**"].iter().any(|sign| rest.trim_start().starts_with(sign));
+    (!goes_on && !is_power).then(|| RAISED[digit as usize])
 }
 
 /// Returns the index in brackets with which a text begins: that of a component, such as Pi[1].
@@ -116,8 +119,8 @@ mod tests {
 
     #[test]
     fn names_become_symbols() {
-        let names = ["Pi1", "Gamma", "Omega12", "theta", "phi", "psi", "c1", "I2", "omega", "h"];
-        let symbols = ["Π₁", "Γ", "Ω₁₂", "θ", "φ", "ψ", "c₁", "I₂", "ω", "h"];
+        let names = ["Pi1", "Gamma", "Omega12", "theta", "sigma", "psi", "c1", "I2", "omega", "h"];
+        let symbols = ["Π₁", "Γ", "Ω₁₂", "θ", "σ", "ψ", "c₁", "I₂", "ω", "h"];
         assert_eq!(names.map(symbol), symbols);
         // Controls: other words stay, and so do digits that may number two things.
         for name in ["Π₁", "kinetic", "L1_2", "x_12", "positions[3]", "7", ""] {
@@ -136,6 +139,7 @@ mod tests {
             ("(Pi×Gamma)[3]^3", "(Π×Γ)[3]³"),
             ("Pi[1]^2/I[1] + Pi1[2]", "Π₁²/I₁ + Π₁[2]"),
             ("x^y2^2", "x^y₂²"),
+            ("x^2^3 + y^2 **3", "x^2³ + y^2 **3"),
             ("if(Pi1 < 2, Π₁, 0)", "if(Π₁ < 2, Π₁, 0)"),
         ];
         for (plain, written) in cases {

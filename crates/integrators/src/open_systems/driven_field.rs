@@ -9,7 +9,7 @@ use lie_poisson::{InTime, OrbitField, Pair, Point, PoissonSpace, Real};
 /// Any scheme integrates it; in general it does not conserve the Casimirs, which [`Driven`](crate::Driven) does.
 ///
 /// # Example
-/// A spin in a field B(t) = cos t along e₃ turns by the angle −sin t:
+/// The field ξ = cos t e₃ turns a spin by the angle −sin t:
 /// ```
 /// use collective_integrators::{Direct, DrivenField, RungeKutta, Start};
 /// use lie_poisson::{Covector, LiePoisson, OrbitField, Pair, Real, So3};

@@ -4,7 +4,7 @@ use generic_scalars::{Differential, Point, Real, State, Vector, VectorSpace, map
 use nalgebra::DMatrix;
 use thiserror::Error;
 
-/// The part of the largest entry up to which a matrix is symmetric by rounding.
+/// The part of two entries up to which they differ by rounding alone.
 const ROUNDING: f64 = 1e-12;
 
 /// The reason why a matrix is no inner product.
@@ -71,11 +71,13 @@ impl InnerProduct {
         if size * size != entries || entries == 0 {
             return Err(InnerProductError::NotSquare { entries });
         }
+        if !rows.iter().all(|entry| entry.is_finite()) {
+            return Err(InnerProductError::NotPositive);
+        }
         let matrix = DMatrix::from_row_slice(size, size, rows);
-        let largest = matrix.amax();
         for (i, j) in (0..size).flat_map(|i| (0..i).map(move |j| (i, j))) {
             let (one, other) = (matrix[(i, j)], matrix[(j, i)]);
-            if (one - other).abs() > ROUNDING * largest {
+            if (one - other).abs() > ROUNDING * one.abs().max(other.abs()) {
                 return Err(InnerProductError::NotSymmetric {
                     row: i + 1,
                     column: j + 1,
@@ -84,7 +86,7 @@ impl InnerProduct {
                 });
             }
         }
-        match largest.is_finite() && matrix.cholesky().is_some() {
+        match matrix.cholesky().is_some() {
             true => Ok(Self { rows: rows.to_vec() }),
             false => Err(InnerProductError::NotPositive),
         }

@@ -21,7 +21,7 @@ use nalgebra::Vector1;
 /// *The Euler–Poincaré equations and double bracket dissipation*, Commun. Math. Phys. 175 (1996).
 ///
 /// # Example
-/// A spin that is turned about e₃ at the rate cos t, which is the gradient of no function of the spin if it depends on Π₁:
+/// A spin that is turned about e₃ at the rate Π₁ cos t; this ξ is the gradient of no function:
 /// ```
 /// use lie_poisson::{Casimirs, Covector, LiePoisson, OrbitField, PoissonSpace, Real, So3};
 /// use nalgebra::Vector3;

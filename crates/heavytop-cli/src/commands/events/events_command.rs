@@ -6,10 +6,11 @@ use crate::errors::Error;
 use crate::files::{Kind, Output, Place};
 use crate::formats::RunTable;
 use crate::formats::run_table::append_row;
-use crate::runs::Experiment;
 use crate::runs::run_check::accuracy_warning;
+use crate::runs::{Experiment, Schedule};
 use crate::supervision::warnings::warn;
 use crate::supervision::{Progress, Watch};
+use collective_integrators::diagnostics::RunAccuracy;
 use lie_poisson::Se3;
 use lie_poisson_formula_systems::FormulaSystemError;
 use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
@@ -50,12 +51,7 @@ pub fn events(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<EventsSu
     require_csv(out)?;
     watch.safeguard.require(out, &CSV)?;
     let mut output = Output::create(out)?;
-    let accuracy = {
-        let _shown = Progress::estimating(watch.quiet);
-        run.accuracy(&|| watch.require_going().is_ok())?
-    };
-    let warnings = [run.warning()?, accuracy_warning(&accuracy), config.body_warning()];
-    warnings.into_iter().flatten().for_each(warn);
+    run.warning()?.into_iter().chain(config.body_warning()).for_each(warn);
 
     output.write(|to| writeln!(to, "event,{}", table.header()))?;
     let mut counts: Vec<EventsOf> = functions.functions.iter().map(EventsOf::new).collect();
@@ -84,8 +80,19 @@ pub fn events(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<EventsSu
     });
     drop(progress);
     output.conclude(outcome)?;
+    let accuracy = accuracy_to(&run, end, watch)?;
+    accuracy_warning(&accuracy).into_iter().for_each(warn);
     let summary = EventsSummary::new(&run, counts, end, out);
     Ok(EventsSummary { error_estimate: accuracy.error, ..summary })
+}
+
+/// Measures how accurate the run is to a time, s, at which an event may have ended it.
+fn accuracy_to(run: &Experiment, end: f64, watch: &Watch<'_>) -> Result<RunAccuracy, Error> {
+    let _shown = Progress::estimating(watch.quiet);
+    let Schedule { step, steps } = run.pace.schedule;
+    let made = steps.min((end / step).ceil() as u64);
+    let going = || watch.require_going().is_ok();
+    Ok(run.model.accuracy(&run.method, &run.start, (step, made), &going)?)
 }
 
 /// Returns the run of a top, or of a system whose coordinates formulas know.

@@ -78,7 +78,8 @@ impl fmt::Display for EventsSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (place, of) in self.functions.iter().enumerate() {
             let separator = if place > 0 { ", " } else { "" };
-            write!(to, "{separator}{} zeros of {}", of.events, of.function)?;
+            let zeros = if of.events == 1 { "zero" } else { "zeros" };
+            write!(to, "{separator}{} {zeros} of {}", of.events, of.function)?;
             match (of.first, of.interval) {
                 (Some(first), Some(interval)) => {
                     let [first, interval] = [first, interval].map(number);

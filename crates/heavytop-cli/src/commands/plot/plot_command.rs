@@ -61,7 +61,9 @@ pub fn plot(
 /// If the archive cannot be read, there is no such column, or what is asked for needs a picture.
 pub fn plot_as_text(run: &Path, options: &PlotOptions) -> Result<String, Error> {
     options.require(PictureFormat::Svg)?;
-    whole_text(&RunArrays::open(run)?, options)
+    let run = RunArrays::open(run)?;
+    options.require_of(run.subject.view())?;
+    whole_text(&run, options)
 }
 
 /// Draws a sample.

@@ -52,7 +52,8 @@ impl PlaneRange {
             *extremes = [extremes[0].min(value), extremes[1].max(value)];
         }
         let part = (turned(x, 0.0) / TAU * PARTS as f64) as usize;
-        if let Some(part) = self.parts.get_mut(part) {
+        // An angle just below 0 is rounded to a whole turn.
+        if let Some(part) = self.parts.get_mut(part % PARTS) {
             *part = true;
         }
     }

@@ -185,9 +185,9 @@ Configuration: [body] and [initial] as of simulate, and
   normalise = true                   # scale the unit vector to length 1 afterwards; default false
 
   [integrator]                       # as of simulate
-What [integrator] leaves out: reduced, gauss-8, step 0.1 s, end 100 s. Where a top turns by more
-than 1 rad in such a step, the step is one in which none that is tried turns by more than 0.5 rad,
-and an end that is left out comes after as many steps.
+What [integrator] leaves out: reduced, gauss-8, step 0.1 s, end 100 s. Where a top may turn by more
+than 1 rad in such a step, by its energy, the step is one in which none that is tried may turn by
+more than 0.5 rad, and an end that is left out comes after as many steps.
 
 Parameters:
   body.inertia[i], body.mass, body.gravity, body.length, body.weight_moment, body.center_of_mass[i],

@@ -17,7 +17,7 @@ pub struct RunAccuracy {
     /// The estimated error, to two digits: the largest |Δμ_b|/|μ_b| over the blocks b of coordinates and over the run. 1
     /// means that nothing of the state is right. It is `None` if the repetition failed.
     pub error: Option<f64>,
-    /// The time in which errors grow e-fold, if the motion is chaotic and magnifies rounding errors to more than
+    /// The time in which errors grow e-fold, if neighbouring motions part that fast and magnify rounding errors to more than
     /// [`MOST_ERROR`](Self::MOST_ERROR): then no step gives the state at the end.
     pub chaos: Option<f64>,
 }
@@ -44,8 +44,9 @@ impl RunAccuracy {
         }
         if let Some(time) = chaos.filter(|_| !is_long) {
             return Some(format!(
-                "the motion is chaotic: errors grow e-fold in about {time:.1e} s, so that beyond about {:.1e} s no step \
-                 gives the state; what does not depend on it, such as a section or an exponent, remains right",
+                "the motion is chaotic, or about an unstable rotation: errors grow e-fold in about {time:.1e}, so that beyond \
+                 about {:.1e} no step gives the state, and with this one it may be wrong sooner; what does not depend on it, \
+                 such as a section or an exponent, keeps its meaning",
                 Self::FOLDS * time
             ));
         }
@@ -134,8 +135,9 @@ mod tests {
             RunAccuracy { step: 0.1, order: 8, angle: 0.2, error: Some(1.0), chaos: Some(0.6) };
         assert_eq!(
             chaotic.warning().unwrap(),
-            "the motion is chaotic: errors grow e-fold in about 6.0e-1 s, so that beyond about 2.2e1 s no step gives the \
-             state; what does not depend on it, such as a section or an exponent, remains right"
+            "the motion is chaotic, or about an unstable rotation: errors grow e-fold in about 6.0e-1, so that beyond about \
+             2.2e1 no step gives the state, and with this one it may be wrong sooner; what does not depend on it, such as a \
+             section or an exponent, keeps its meaning"
         );
         // Controls: short steps, and a small error.
         assert_eq!((warning(1.0, Some(1e-3)), warning(0.5, None)), (None, None));

@@ -4,7 +4,7 @@ use super::error_growth::{PIECES, growth, of_whole_step};
 use super::relative_distance::RelativeDistance;
 use super::reported_accuracy::RunAccuracy;
 use super::sampled_run::SampledRun;
-use super::sensitivity::{self, Sensitivity};
+use super::sensitivity::Sensitivity;
 use super::system_scales::SystemScales;
 use crate::erased::AnyIntegrator;
 use crate::error::RunError;
@@ -26,6 +26,9 @@ const SAMPLES: u64 = 64;
 /// The number of coordinates up to which so many samples are kept, and so many steps repeated. Of larger systems, whose
 /// steps and samples cost as much more, there are as many fewer.
 const FEW: u64 = 1 << 12;
+
+/// The least number of repeated steps of a system whose neighbours are followed.
+const LEAST: u64 = 128;
 
 /// The largest angle of the longer steps by which the growth of errors is followed, rad.
 const MOST_TURN: f64 = 0.5;
@@ -56,16 +59,17 @@ impl Effort {
 /// A run of up to 5120 steps is repeated, with the step h and with h/2. The error of the run is the largest difference
 /// d(t) of the two, times 2ᵖ/(2ᵖ − 1). Of a longer run only the beginning is repeated, 5120 steps or a twentieth of the
 /// run, and at most 2¹⁸ steps; the error is then scaled to the whole run by the growth of d: by the power of the time
-/// that fits it, from 1 to 2, or by an exponential, if d grows faster and is no round-off. Where that is below 10⁻³, the growth
-/// of the distance between two neighbouring runs is measured, too, with steps of up to 0.5 rad, which show more of the run: the
-/// error is at least that to which the motion magnifies rounding errors of 10⁻¹⁶. In chaotic motion it grows as exp(λt), and is 1
-/// after some 37/λ, with every step. The estimate costs four times the steps that it
-/// repeats: 20 % of a long run, and three times a run of up to 5120 steps. Of a system of more than 4096 coordinates as
-/// many fewer steps are repeated as it is larger, but 8 at least; where they are fewer than 128, no neighbour is followed.
+/// that fits it, from 1 to 2, or by an exponential, if d grows faster and is no round-off. Of a longer
+/// run, and of one with an error above 10⁻³, the growth of the distances of two opposite neighbours is measured, too, with steps
+/// of up to 0.5 rad, which show more of the run: the error is at least that to which the motion magnifies rounding errors of 10⁻¹⁶.
+/// In chaotic motion, and about an unstable rotation, it grows as exp(λt), and is 1 after some 37/λ, with every step. If they
+/// cannot be followed, or do not stay opposite, the estimate is that without them. It costs four and a half times the steps that it
+/// repeats: 23 % of a long run, and three to four and a half times a run of up to 5120 steps. Of a system of more than 4096 coordinates as
+/// many fewer steps are repeated as it is larger, but 8 at least; where they are fewer than 128, no neighbours are followed.
 ///
 /// On integrable and on chaotic tops, for methods of order 2, 4 and 8 and steps from 0.02 to 1 rad, it was between 1/3 and
-/// 3 times the true error where that is above 10⁻¹². What happens only beyond the part over which the neighbour
-/// is followed is not seen.
+/// 3 times the true error where that is above 10⁻¹². What happens only beyond the part over which the neighbours
+/// are followed is not seen.
 ///
 /// The repetitions do not change the run: they begin again from the start. If a step of them fails, or a distance is not a
 /// number, or the run has no steps, or `going`, which is asked every 4096 steps at least, tells them to end, there is no
@@ -159,15 +163,15 @@ fn magnified(
     going: &dyn Fn() -> bool,
 ) -> Option<Magnified> {
     // Of a large system, of which few steps are repeated, as many more would take far longer.
-    if effort.repeated < 2 * sensitivity::PARTS {
+    if effort.repeated < LEAST {
         return None;
     }
-    let part = (effort.repeated / 2).div_ceil(sensitivity::PARTS);
-    let most = steps as f64 / (part * sensitivity::PARTS) as f64;
+    let [parts, of_each] = Sensitivity::parts(effort.repeated / 2);
+    let most = steps as f64 / (parts * of_each) as f64;
     let longer = (MOST_TURN / accuracy.angle).clamp(1.0, most.max(1.0));
-    let steps_of_part = (accuracy.step * longer, part);
-    let grown = Sensitivity::of(integrator, start, distance, steps_of_part, going).ok()??;
-    let followed = longer * (part * sensitivity::PARTS) as f64;
+    let course = (accuracy.step * longer, [parts, of_each]);
+    let grown = Sensitivity::of(integrator, start, distance, course, going).ok()??;
+    let followed = longer * (parts * of_each) as f64;
     let rest = steps.saturating_sub(effort.repeated) as f64 / followed;
     let of_part = grown.rate().map_or(0.0, |rate| of_part * (rate * rest).exp());
     let rounding = grown.rounding(steps as f64 / followed);

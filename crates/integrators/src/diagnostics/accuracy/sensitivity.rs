@@ -7,8 +7,10 @@ use crate::integrators::trajectories::integrator::Integrator;
 use crate::integrators::trajectories::start::Start;
 use lie_poisson::larger;
 
-/// The number of parts of a run after which the distance of its neighbour is made small again.
-pub(super) const PARTS: u64 = 64;
+/// The least number of parts of a run after which the distances of its neighbours are made small again, and the largest number of
+/// steps of a part: few, so that the distances stay small.
+const PARTS: u64 = 64;
+const STEPS: u64 = 64;
 
 /// The distance of the neighbour, relative to the sizes of the blocks: rounding errors are far smaller, and what is quadratic
 /// in it is no larger than these.
@@ -17,8 +19,12 @@ const DISTANCE: f64 = 1e-8;
 /// The relative rounding error of a state, which the motion magnifies.
 const ROUNDING: f64 = 1e-16;
 
-/// The part of the run from which on the growth is fitted.
-const FITTED_FROM: usize = PARTS as usize * 3 / 8;
+/// The share of the run from which on the growth is fitted.
+const FITTED_FROM: f64 = 0.375;
+
+/// The share of its distance up to which one of two opposite neighbours may differ from the other. If stages are solved to a
+/// tolerance, the differences are noise.
+const ODD: f64 = 0.5;
 
 /// The power of the time above which a growth is no power: errors of motions without chaos grow by 1 or 2.
 const MOST_POWER: f64 = 2.6;
@@ -30,8 +36,15 @@ pub(super) struct Sensitivity {
 }
 
 impl Sensitivity {
-    /// Follows a run and its neighbour, which is brought back to a small distance after each part (Benettin). Returns `None`
-    /// if `going` tells it to end, or a distance is zero or no number.
+    /// Returns the number of parts and of the steps of each for so many steps.
+    pub(super) fn parts(steps: u64) -> [u64; 2] {
+        let of_part = (steps / PARTS).clamp(1, STEPS);
+        [steps / of_part, of_part]
+    }
+
+    /// Follows a run and two opposite neighbours, which are brought back to a small distance after each part (Benettin). Returns
+    /// `None` if `going` tells it to end, if a distance is zero or no number, or if the neighbours do not stay opposite, so
+    /// that the distances are noise.
     ///
     /// # Errors
     /// Returns the [`RunError`] of a start or a step that fails: not every neighbour of a start has a lift.
@@ -39,33 +52,42 @@ impl Sensitivity {
         integrator: &AnyIntegrator,
         start: &[f64],
         distance: &RelativeDistance,
-        (step, steps_of_part): (f64, u64),
+        (step, [parts, steps_of_part]): (f64, [u64; 2]),
         going: &dyn Fn() -> bool,
     ) -> Result<Option<Self>, RunError> {
-        let (mut workspace, mut beside) = (integrator.workspace(), integrator.workspace());
+        let mut workspaces = [(); 3].map(|()| integrator.workspace());
         let mut state = integrator.start(&AnyState::from_slice(start))?;
-        let mut neighbour = distance.displaced(start, DISTANCE);
-        let (mut sum, mut most, mut logarithms) = (0.0_f64, f64::NEG_INFINITY, Vec::new());
-        for part in 0..PARTS {
+        let neighbour = distance.displaced(start, DISTANCE);
+        let first = distance.between(start, &neighbour);
+        let mut neighbours = [mirrored(&neighbour, start, 1.0), mirrored(&neighbour, start, -1.0)];
+        let (mut sum, mut most) = ((DISTANCE / first).ln(), f64::NEG_INFINITY);
+        let mut logarithms = Vec::new();
+        for part in 0..parts {
             if !going() {
                 return Ok(None);
             }
             let steps = part * steps_of_part..(part + 1) * steps_of_part;
-            let mut moved = integrator.start(&AnyState::from_slice(&neighbour))?;
-            integrator.advance(&mut state, step, steps.clone(), &mut workspace)?;
-            integrator.advance(&mut moved, step, steps, &mut beside)?;
-            let [here, there] = [&state, &moved].map(|state| integrator.momentum(state));
-            let (here, there) = (here.as_slice(), there.as_slice());
-            let apart = distance.between(here, there);
-            if !(apart > 0.0 && apart.is_finite()) {
+            let [workspace, others @ ..] = &mut workspaces;
+            integrator.advance(&mut state, step, steps.clone(), workspace)?;
+            let here = integrator.momentum(&state);
+            let here = here.as_slice();
+            let mut moved = [Vec::new(), Vec::new()];
+            for ((moved, from), workspace) in moved.iter_mut().zip(&neighbours).zip(others) {
+                let mut beside = integrator.start(&AnyState::from_slice(from))?;
+                integrator.advance(&mut beside, step, steps.clone(), workspace)?;
+                *moved = integrator.momentum(&beside).as_slice().to_vec();
+            }
+            let [one, other] = &moved;
+            let apart = distance.between(here, one);
+            let odd = distance.between(other, &mirrored(one, here, -1.0));
+            if !(apart > 0.0 && apart.is_finite() && odd <= ODD * apart) {
                 return Ok(None);
             }
             sum += (apart / DISTANCE).ln();
             most = larger(most, sum);
             logarithms.push(most);
-            let back = DISTANCE / apart;
-            let pairs = here.iter().zip(there).take(start.len());
-            neighbour = pairs.map(|(here, there)| here + (there - here) * back).collect();
+            neighbours = [1.0, -1.0].map(|side| mirrored(one, here, side * DISTANCE / apart));
+            neighbours.iter_mut().for_each(|neighbour| neighbour.truncate(start.len()));
         }
         Ok(Some(Self { logarithms }))
     }
@@ -73,9 +95,11 @@ impl Sensitivity {
     /// Returns the rate of the growth per length of the followed run, if the run is chaotic: if the growth is faster than every
     /// power of the time that motions without chaos have.
     pub(super) fn rate(&self) -> Option<f64> {
-        let ends = (1..).map(|part| f64::from(part) / PARTS as f64);
+        let parts = self.logarithms.len() as f64;
+        let ends = (1..).map(|part| f64::from(part) / parts);
+        let fitted = (FITTED_FROM * parts) as usize;
         let points: Vec<(f64, f64)> =
-            ends.zip(self.logarithms.iter().copied()).skip(FITTED_FROM).collect();
+            ends.zip(self.logarithms.iter().copied()).skip(fitted).collect();
         let count = points.len() as f64;
         let mean = |f: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / count;
         let slope = |x: &dyn Fn(f64) -> f64| {
@@ -94,6 +118,11 @@ impl Sensitivity {
         };
         ROUNDING * (last + more.max(0.0)).exp()
     }
+}
+
+/// Returns the point whose distance from `here` is that of `there`, times a factor.
+fn mirrored(there: &[f64], here: &[f64], factor: f64) -> Vec<f64> {
+    here.iter().zip(there).map(|(here, there)| here + (there - here) * factor).collect()
 }
 
 #[cfg(test)]

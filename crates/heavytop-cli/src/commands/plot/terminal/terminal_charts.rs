@@ -43,8 +43,9 @@ pub(in crate::commands::plot) fn terminal_charts(
 fn chart(title: &str, along: &str, curves: &Curves) -> Result<String, Error> {
     let points = || curves.iter().flat_map(|(_, points)| points);
     let [x, y] = [range(points().map(|point| point.0)), range(points().map(|point| point.1))];
-    let words = |[least, most]: [f64; 2]| {
-        format!("from {} to {}", significant(least, DIGITS), significant(most, DIGITS))
+    let words = |[least, most]: [f64; 2]| match least <= most {
+        true => format!("from {} to {}", significant(least, DIGITS), significant(most, DIGITS)),
+        false => "without values".into(),
     };
     let [width, height] = SIZE;
     let mut characters = vec![0; width * height];
@@ -67,7 +68,12 @@ fn draw(
     let area = Dots::new(characters, SIZE[0]).into_drawing_area();
     let chart = ChartBuilder::on(&area).build_cartesian_2d(0.0..1.0, 0.0..1.0);
     let mut chart = chart.map_err(|error| failed(&error))?;
-    let series = pieces.map(|piece| PathElement::new(piece, BLACK));
+    // A line has two ends, also that of a lone point.
+    let series = pieces.map(|mut piece| {
+        piece.extend(piece.first().copied());
+        piece.rotate_right(1);
+        PathElement::new(piece, BLACK)
+    });
     chart.draw_series(series).map_err(|error| failed(&error))?;
     Ok(())
 }
