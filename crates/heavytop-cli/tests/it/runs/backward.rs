@@ -7,7 +7,10 @@ use crate::program::{Folder, numbers};
 fn simulated(folder: &Folder, keys: &str) -> Vec<Vec<f64>> {
     folder.write("a.toml", keys);
     let run = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv", "--force"]);
-    assert_eq!((run.code(), run.complaints()), (0, String::new()), "{keys}");
+    // Only of a chaotic motion there is something to say.
+    let said = run.complaints();
+    let is_right = said.is_empty() || said.contains("the motion is chaotic");
+    assert!(run.code() == 0 && is_right, "{keys}: {said}");
     numbers(&folder.read("a.csv")).1
 }
 
