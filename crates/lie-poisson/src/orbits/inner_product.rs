@@ -111,3 +111,25 @@ impl InnerProduct {
         sharp
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_inner_product_is_refused_in_all_units() {
+        use InnerProductError::{NotPositive, NotSymmetric};
+        for place in 0..4 {
+            let mut rows = [1.0, 0.5, 0.5, 1.0];
+            assert!(InnerProduct::new(&rows).is_ok());
+            rows[place] = f64::NAN;
+            assert_eq!(InnerProduct::new(&rows), Err(NotPositive));
+        }
+        // A large block hides neither that another one is not symmetric, nor that it is indefinite.
+        let with =
+            |one, other| InnerProduct::new(&[1e20, 0.0, 0.0, 0.0, 1.0, one, 0.0, other, 1.0]);
+        assert!(with(0.5, 0.5).is_ok());
+        assert!(matches!(with(100.0, 0.5), Err(NotSymmetric { row: 3, column: 2, .. })));
+        assert_eq!(with(2.0, 2.0), Err(NotPositive));
+    }
+}

@@ -155,6 +155,11 @@ mod tests {
             labels(&range(PlaneLimits::default(), &spread)),
             ["0", "π/2", "π", "3π/2", "2π"]
         );
+        // An angle that is rounded to a whole turn is at 0.
+        assert_eq!(
+            range(PlaneLimits::default(), &[-1e-17]).parts.iter().position(|part| *part),
+            Some(0)
+        );
         // Points on both sides of 0 are together.
         let across = range(PlaneLimits::default(), &[6.1, 6.2, 0.0, 0.3]);
         let [from, to] = across.arc().unwrap();

@@ -59,7 +59,7 @@ impl Sensitivity {
         let mut state = integrator.start(&AnyState::from_slice(start))?;
         let neighbour = distance.displaced(start, DISTANCE);
         let first = distance.between(start, &neighbour);
-        let mut neighbours = [mirrored(&neighbour, start, 1.0), mirrored(&neighbour, start, -1.0)];
+        let mut neighbours = [neighbour.clone(), mirrored(&neighbour, start, -1.0)];
         let (mut sum, mut most) = ((DISTANCE / first).ln(), f64::NEG_INFINITY);
         let mut logarithms = Vec::new();
         for part in 0..parts {

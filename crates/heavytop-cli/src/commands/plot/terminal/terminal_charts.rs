@@ -89,3 +89,21 @@ fn along_range(number: f64, [least, most]: [f64; 2]) -> f64 {
     let length = most / 2.0 - least / 2.0;
     if length > 0.0 { (number / 2.0 - least / 2.0) / length } else { 0.5 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lone_point_has_a_dot_and_a_column_without_values_none() {
+        let dots = |value: f64| {
+            let curves = vec![("x".into(), vec![(0.0, value)])];
+            let text = chart("x", "t (s)", &curves).unwrap_or_default();
+            (
+                text.contains("without values"),
+                text.contains(|c| ('\u{2801}'..='\u{28ff}').contains(&c)),
+            )
+        };
+        assert_eq!((dots(1.0), dots(f64::NAN)), ((false, true), (true, false)));
+    }
+}
