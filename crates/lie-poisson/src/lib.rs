@@ -51,6 +51,7 @@
 //! | a Hamiltonian with an explicit formula for its differential | [`Hamiltonian`], [`from_closures`] |
 //! | a Hamiltonian that depends on time | [`TimeDependent`] of a Hamiltonian on [`InTime<P>`](InTime) |
 //! | any field ξ(μ, t) whose motion stays on coadjoint orbits, such as a control | [`OrbitField`] |
+//! | an input u(t) by a table of times and values | [`InputTable`], with an [`Interpolation`] |
 //! | dissipation on coadjoint orbits | [`DoubleBracket`], with an [`InnerProduct`] |
 //! | maps from 𝔤 to G other than exp | [`Cayley`] |
 //! | tests of your own types against the axioms | the module `laws` (feature `laws`) |
@@ -139,6 +140,8 @@ pub use brackets::product_space::{PowerSpace, ProductSpace, from_parts, parts};
 pub use brackets::sites_hamiltonian::SitesHamiltonian;
 pub use orbits::double_bracket::DoubleBracket;
 pub use orbits::inner_product::{InnerProduct, InnerProductError};
+pub use orbits::input_table::{InputTable, InputTableError};
+pub use orbits::interpolation::{Interpolation, UnknownInterpolation};
 pub use orbits::orbit_field::{Autonomous, OrbitField, TimeDependent};
 pub use orbits::time_axis::{InTime, TimeAxis};
 

@@ -56,4 +56,8 @@ where
         let sharp = self.inner_product.sharp::<P, T>(&rate);
         xi + map_coordinates(&sharp, |x| x * self.friction)
     }
+
+    fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        self.field.next_break(time, forward)
+    }
 }

@@ -2,5 +2,7 @@
 
 pub(crate) mod time_axis;
 pub(crate) mod orbit_field;
+pub(crate) mod interpolation;
+pub(crate) mod input_table;
 pub(crate) mod inner_product;
 pub(crate) mod double_bracket;

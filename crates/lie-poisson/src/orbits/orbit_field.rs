@@ -42,6 +42,14 @@ use nalgebra::Vector1;
 pub trait OrbitField<P: PoissonSpace, T: Real = f64> {
     /// Returns ξ(μ, t), an element of 𝔤.
     fn element(&self, mu: &Point<P, T>, time: T) -> Differential<P, T>;
+
+    /// Returns the next time strictly after `time`, or strictly before it if `forward` is false, at which ξ or a derivative of it
+    /// jumps, such as a time of an [`InputTable`](crate::InputTable). Integrators end a step there, since a step across a jump loses
+    /// the order of its method. There is none by default.
+    fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        let (_, _) = (time, forward);
+        None
+    }
 }
 
 /// The field ξ = dh(μ) of a Hamiltonian that does not depend on time.

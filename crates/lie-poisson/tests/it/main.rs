@@ -8,5 +8,6 @@ mod cocycles;
 mod faults_of_any_size;
 mod faulty_objects;
 mod hamiltonian_laws;
+mod input_tables;
 mod sizes;
 mod support;

@@ -2,10 +2,11 @@
 
 use super::refused;
 use lie_poisson::{
-    Cocycle, InfinitesimalAdjoint, InnerProduct, StructureConstants, StructureEntry, StructureTable,
+    Cocycle, InfinitesimalAdjoint, InnerProduct, InputTable, Interpolation, StructureConstants,
+    StructureEntry, StructureTable,
 };
 
-/// Returns the errors of tables of constants, of linear maps and of matrices that are what they should not be.
+/// Returns the errors of tables of constants, of linear maps, of matrices and of inputs that are what they should not be.
 pub fn errors() -> Vec<String> {
     let heisenberg = |i, j, k| match (i, j, k) {
         (0, 1, 2) => 1.0,
@@ -20,6 +21,9 @@ pub fn errors() -> Vec<String> {
     };
     let identity = |i, j| if i == j { 1.0 } else { 0.0 };
     let adjoint = || StructureConstants::<3>::new(heisenberg).map(InfinitesimalAdjoint).unwrap();
+    let table = |times: &[f64], values: &[f64]| {
+        InputTable::new(times.to_vec(), values.to_vec(), Interpolation::Linear)
+    };
     vec![
         refused(StructureTable::new(2, [StructureEntry { i: 0, j: 1, k: 2, value: 1.0 }])),
         refused(StructureConstants::<3>::new(|_, _, _| f64::NAN)),
@@ -30,5 +34,11 @@ pub fn errors() -> Vec<String> {
         refused(InnerProduct::new(&[1.0, 0.0])),
         refused(InnerProduct::new(&[1.0, 0.0, 2.0, 9.0])),
         refused(InnerProduct::new(&[1.0, 0.0, 0.0, -1.0])),
+        refused(table(&[0.0, 1.0], &[1.0])),
+        refused(table(&[0.0], &[1.0])),
+        refused(table(&[0.0, 1.0], &[1.0, f64::NAN])),
+        refused(table(&[1.0, 1.0], &[0.0, 0.0])),
+        refused(table(&[0.0, 1e-300], &[0.0, 1e300])),
+        refused(table(&[0.0, 1.0], &[0.0, 1.0]).unwrap().require_until(0.0, 2.0)),
     ]
 }
