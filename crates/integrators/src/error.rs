@@ -50,6 +50,9 @@ pub enum StepError {
         "the state is not finite after the step: the motion goes to infinity there, or the step is too long"
     )]
     NotFinite,
+    /// A torque has taken the momentum to a value that no state represents.
+    #[error("the torque takes the momentum to a value that no state represents: {0}")]
+    Lift(LiftError),
     /// A coordinate of the initial state or momentum is infinite or not a number.
     #[error("coordinate {coordinate} of the start must be finite, its size is {size}")]
     NotFiniteStart {

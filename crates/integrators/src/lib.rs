@@ -32,6 +32,8 @@
 //! |---|---|
 //! | a Poisson integrator on 𝔤∗ from a realisation M: P → 𝔤∗ | [`Collective`] |
 //! | an integrator that conserves the Casimirs, for a field that depends on time, or loses energy on its orbit | [`Driven`]; [`DrivenField`] on the equations |
+//! | the same with noise, at a temperature for example | [`Noisy`], with [`BrownianPaths`] |
+//! | the same with torques that change the Casimirs | [`Torqued`] |
 //! | the same for N copies of M, with N known when the program runs | [`CollectiveSites`]; [`LiftFreeSites`] without a lift |
 //! | a collective integrator that computes on 𝔤∗ itself | [`LiftFree`] |
 //! | a scheme applied directly to the equations | [`Direct`] |
@@ -150,8 +152,13 @@ pub use integrators::trajectories::integrator::{Integrator, SampleOf, Trajectory
 pub use integrators::trajectories::sample::Sample;
 pub use integrators::trajectories::start::Start;
 pub use observed::Observed;
+pub use open_systems::brownian_paths::{BrownianError, BrownianPaths};
 pub use open_systems::driven::Driven;
 pub use open_systems::driven_field::DrivenField;
+pub use open_systems::noise_rule::{NoisePart, NoiseRule};
+pub use open_systems::noisy::{Noisy, PathAndTime};
+pub use open_systems::smooth_pieces::{Window, smooth_pieces};
+pub use open_systems::torqued::{TorqueFlow, Torqued};
 pub use runs::crossing::Direction;
 pub use runs::dense_output::{DenseOutput, DenseOutputError};
 pub use runs::event_search::EventSearch;

@@ -142,6 +142,7 @@ pub use orbits::double_bracket::DoubleBracket;
 pub use orbits::inner_product::{InnerProduct, InnerProductError};
 pub use orbits::input_table::{InputTable, InputTableError};
 pub use orbits::interpolation::{Interpolation, UnknownInterpolation};
+pub use orbits::noise::{IsotropicNoise, Noise, NoiseError};
 pub use orbits::orbit_field::{Autonomous, OrbitField, TimeDependent};
 pub use orbits::time_axis::{InTime, TimeAxis};
 

@@ -227,6 +227,12 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
         workspace.threshold = RecentringThreshold::default();
     }
 
+    /// Forgets the stages of the steps before, but not how far z may move along its fibre.
+    #[cfg_attr(optimised, inline(always))]
+    pub(crate) fn forget_stages_of<T: Real>(&self, workspace: &mut SpaceOf<S, M, T>) {
+        self.scheme.forget(&mut workspace.scheme);
+    }
+
     /// Returns the point of the fibre through z from which a step starts.
     ///
     /// It is z itself, or a point nearer to the origin if a run begins with a z far from the origin, or if z has grown.

@@ -5,10 +5,12 @@ use crate::integrators::collective::{Collective, SpaceOf};
 use crate::integrators::compensated::{Compensated, Increments};
 use crate::integrators::trajectories::integrator::Integrator;
 use crate::integrators::trajectories::start::Start;
+use crate::open_systems::smooth_pieces::{Window, smooth_pieces};
 use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
+use crate::sums::two_sum::add_compensated;
 use crate::vector_field::VectorField;
 use lie_poisson::nalgebra::Vector1;
-use lie_poisson::{OrbitField, Pair, Real, TimeAxis};
+use lie_poisson::{OrbitField, Pair, Real, TimeAxis, Vector};
 use momentum_map::{Identity, Lift, LiftError, PoissonMap, ProductMap, SourcePoint, TargetPoint};
 
 /// The map (M, id): P × R → 𝔤∗ × R of states (z, t).
@@ -26,7 +28,8 @@ type MapInTime<M> = ProductMap<M, Identity<TimeAxis>>;
 /// [`TimeDependent`](lie_poisson::TimeDependent) has.
 ///
 /// A momentum of this integrator is (μ, t) and a state (z, t): the time is a coordinate, at which stages are evaluated, and which
-/// event functions see. A start has the time at which the run begins.
+/// event functions see. A start has the time at which the run begins. A step that contains a [breakpoint](OrbitField::next_break)
+/// of the field is divided there. In a run of many steps the time is best summed with [`compensated`](Self::compensated).
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27 (2014), for ξ = dh.
 ///
@@ -119,12 +122,13 @@ impl<S, M: PoissonMap, X> Driven<S, M, X> {
 }
 
 /// The vector field (ξ(M(z), t)_P(z), 1) at (z, t).
-struct Generator<'a, M, X> {
+struct Generator<'a, M, X, T> {
     map: &'a M,
     field: &'a X,
+    window: Window<T>,
 }
 
-impl<M, X, T> VectorField<T> for Generator<'_, M, X>
+impl<M, X, T> VectorField<T> for Generator<'_, M, X, T>
 where
     M: PoissonMap,
     X: OrbitField<M::Target, T>,
@@ -134,14 +138,22 @@ where
 
     #[cfg_attr(optimised, inline(always))]
     fn at(&self, Pair(z, t): &Self::Point) -> Self::Point {
-        let xi = self.field.element(&self.map.apply::<T>(z), t.x);
+        let xi = self.field.element(&self.map.apply::<T>(z), self.window.nearest(t.x));
         Pair(self.map.generator::<T>(&xi, z), Vector1::new(T::one()))
     }
 }
 
 impl<S, M, X> Driven<S, M, X> {
-    fn generator(&self) -> Generator<'_, M, X> {
-        Generator { map: self.map(), field: self.field() }
+    fn generator<T>(&self, window: Window<T>) -> Generator<'_, M, X, T> {
+        Generator { map: self.map(), field: self.field(), window }
+    }
+
+    fn next_break<T: Real>(&self) -> impl Fn(f64, bool) -> Option<f64> + '_
+    where
+        M: PoissonMap,
+        X: OrbitField<M::Target, T>,
+    {
+        |time, forward| self.field().next_break(time, forward)
     }
 }
 
@@ -167,7 +179,25 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        self.collective.step_of::<T, _>(&self.generator(), state, step, workspace)
+        Step::of_copy(
+            state,
+            #[cfg_attr(optimised, inline(always))]
+            |point| {
+                smooth_pieces(
+                    state.1.x,
+                    step,
+                    self.next_break::<T>(),
+                    #[cfg_attr(optimised, inline(always))]
+                    |window, _, step| {
+                        let generator = self.generator(window);
+                        let made =
+                            self.collective.step_of::<T, _>(&generator, point, step, workspace)?;
+                        *point = made.point;
+                        Ok(made.iterations)
+                    },
+                )
+            },
+        )
     }
 
     #[cfg_attr(optimised, inline(always))]
@@ -199,7 +229,18 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
-        self.collective.increment_of::<T, _>(&self.generator(), state, step, workspace)
+        let Pair(begin, error) = state;
+        let (mut sum, mut rest) = (Vector::zero(), Vector::zero());
+        let iterations =
+            smooth_pieces(begin.1.x, step, self.next_break::<T>(), |window, _, step| {
+                let from = Pair(*begin + sum, *error + rest);
+                let generator = self.generator(window);
+                let Step { point: Pair(change, lost), iterations } =
+                    self.collective.increment_of::<T, _>(&generator, &from, step, workspace)?;
+                add_compensated((&mut sum, &mut rest), (&change, &lost), &mut Default::default());
+                Ok(iterations)
+            })?;
+        Ok(Step { point: Pair(sum, rest), iterations })
     }
 
     #[cfg_attr(optimised, inline(always))]

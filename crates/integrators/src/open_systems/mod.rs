@@ -1,4 +1,10 @@
-//! Motions on coadjoint orbits whose field depends on time, with the time as a coordinate of the state.
+//! Motions that are driven, damped, noisy or forced, with the time as a coordinate of the state.
 
+mod philox;
+pub(crate) mod smooth_pieces;
+pub(crate) mod brownian_paths;
+pub(crate) mod noise_rule;
 pub(crate) mod driven_field;
 pub(crate) mod driven;
+pub(crate) mod noisy;
+pub(crate) mod torqued;

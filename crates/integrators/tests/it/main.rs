@@ -4,6 +4,7 @@
 mod chaos;
 mod driven;
 mod laws;
+mod noisy;
 mod runs;
 mod schemes;
 mod sites;

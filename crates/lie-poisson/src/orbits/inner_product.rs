@@ -52,13 +52,15 @@ pub enum InnerProductError {
 pub struct InnerProduct {
     /// The rows of the matrix, one after the other; none for the unit matrix.
     rows: Vec<f64>,
+    /// The rows of the lower triangular matrix L with LLᵀ equal to the matrix.
+    root: Vec<f64>,
 }
 
 impl InnerProduct {
     /// Returns the inner product whose matrix in the coordinates of 𝔤∗ is the unit matrix.
     #[must_use]
     pub const fn euclidean() -> Self {
-        Self { rows: Vec::new() }
+        Self { rows: Vec::new(), root: Vec::new() }
     }
 
     /// Creates an inner product from its symmetric, positive definite matrix, row by row. It is for spaces with as many
@@ -86,10 +88,9 @@ impl InnerProduct {
                 });
             }
         }
-        match matrix.cholesky().is_some() {
-            true => Ok(Self { rows: rows.to_vec() }),
-            false => Err(InnerProductError::NotPositive),
-        }
+        let root = matrix.cholesky().ok_or(InnerProductError::NotPositive)?.l();
+        let root = (0..size).flat_map(|i| root.row(i).iter().copied().collect::<Vec<_>>());
+        Ok(Self { rows: rows.to_vec(), root: root.collect() })
     }
 
     /// Returns α♯. It is NaN if the matrix has not as many rows as the space has coordinates.
@@ -99,17 +100,50 @@ impl InnerProduct {
         if self.rows.is_empty() {
             return map_coordinates(alpha, |x| x);
         }
-        let mut sharp: Differential<P, T> = Vector::zero();
-        if self.rows.len() != size * size {
-            sharp.set_coordinates(|_| T::from_f64(f64::NAN));
-            return sharp;
-        }
-        sharp.set_coordinates(|i| {
-            let row = self.rows.iter().skip(i * size).take(size);
-            row.enumerate().fold(T::zero(), |sum, (j, entry)| sum + alpha.coordinate(j) * *entry)
-        });
-        sharp
+        product::<P, T>(&self.rows, size, |j| alpha.coordinate(j))
     }
+
+    /// Returns Σ_k w_k e_k for elements e_k of 𝔤 that are orthonormal in the inner product on 𝔤, so that Σ_k e_k ⟨α, e_k⟩ = α♯.
+    /// Weights that are left out are 0. It is NaN if the matrix has not as many rows as the space has coordinates.
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson::{InnerProduct, LiePoisson, So3};
+    /// use nalgebra::Vector3;
+    /// let weighted = InnerProduct::new(&[4.0, 2.0, 0.0, 2.0, 2.0, 0.0, 0.0, 0.0, 1.0])?;
+    /// let element = |weights: [f64; 3]| weighted.orthonormal::<LiePoisson<So3>, f64>(&weights);
+    /// let sum: f64 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|w| element(w).x * element(w).y).iter().sum();
+    /// assert_eq!(sum, 2.0); // the entry (1, 2) of the matrix
+    /// # Ok::<(), lie_poisson::InnerProductError>(())
+    /// ```
+    #[must_use]
+    pub fn orthonormal<P: VectorSpace, T: Real>(&self, weights: &[T]) -> Differential<P, T> {
+        let weight = |k: usize| weights.get(k).copied().unwrap_or_else(T::zero);
+        if self.rows.is_empty() {
+            let mut element: Differential<P, T> = Vector::zero();
+            element.set_coordinates(weight);
+            return element;
+        }
+        product::<P, T>(&self.root, Point::<P, T>::DIM, weight)
+    }
+}
+
+/// Returns the product of a square matrix with a vector; NaN if it has another size.
+fn product<P: VectorSpace, T: Real>(
+    rows: &[f64],
+    size: usize,
+    vector: impl Fn(usize) -> T,
+) -> Differential<P, T> {
+    let mut product: Differential<P, T> = Vector::zero();
+    if rows.len() != size * size {
+        product.set_coordinates(|_| T::from_f64(f64::NAN));
+        return product;
+    }
+    product.set_coordinates(|i| {
+        let row = rows.iter().skip(i * size).take(size);
+        row.enumerate().fold(T::zero(), |sum, (j, entry)| sum + vector(j) * *entry)
+    });
+    product
 }
 
 #[cfg(test)]

@@ -6,3 +6,4 @@ pub(crate) mod interpolation;
 pub(crate) mod input_table;
 pub(crate) mod inner_product;
 pub(crate) mod double_bracket;
+pub(crate) mod noise;

@@ -105,6 +105,11 @@ impl<R: Register> Real for Packed<R> {
         Self(R::splat(x))
     }
 
+    #[inline]
+    fn lane_by_lane(self, other: Self, mut f: impl FnMut(f64, f64) -> f64) -> Self {
+        Self::from_lanes(|i| f(self.lane(i), other.lane(i)))
+    }
+
     #[cfg_attr(optimised, inline(always))]
     fn sqrt(self) -> Self {
         Self(R::root(self.0))

@@ -98,6 +98,23 @@ pub trait Real:
         None
     }
 
+    /// Returns f(x, y) for the values of two numbers, lane by lane in the order of the lanes, as a constant: the function is
+    /// taken to have no derivative, as one that is piecewise constant. It is NaN for a scalar of one's own without this method.
+    ///
+    /// It is for what no formula says: a search in a table, a random number with a given index.
+    ///
+    /// ```
+    /// use generic_scalars::{DualNumber, Real};
+    /// let whole = DualNumber::variable(2.5).lane_by_lane(DualNumber::constant(1.0), |x, y| x.floor() + y);
+    /// assert_eq!(whole, DualNumber::constant(3.0));
+    /// ```
+    #[must_use]
+    #[inline]
+    fn lane_by_lane(self, other: Self, mut f: impl FnMut(f64, f64) -> f64) -> Self {
+        let values = self.as_f64().zip(other.as_f64());
+        Self::from_f64(values.map_or(f64::NAN, |(x, y)| f(x, y)))
+    }
+
     /// Returns the square root √x; NaN for x < 0, as for `f64`.
     fn sqrt(self) -> Self;
 

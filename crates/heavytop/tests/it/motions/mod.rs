@@ -4,6 +4,7 @@ mod estimated_errors;
 mod attitude;
 mod descent;
 mod euler_angles;
+mod langevin;
 mod poincare;
 mod splittings;
 mod there_and_back;

@@ -3,3 +3,5 @@
 mod driven_casimirs;
 mod damped_spins;
 mod driven_orders;
+mod inputs;
+mod torques;

@@ -17,6 +17,11 @@ impl<T: Real> Real for DualNumber<T> {
         Some(Self::constant(self.value.without_derivative().unwrap_or(self.value)))
     }
 
+    #[inline]
+    fn lane_by_lane(self, other: Self, f: impl FnMut(f64, f64) -> f64) -> Self {
+        Self::constant(self.value.lane_by_lane(other.value, f))
+    }
+
     #[cfg_attr(optimised, inline(always))]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();

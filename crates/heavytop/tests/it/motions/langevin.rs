@@ -1,0 +1,80 @@
+//! A heavy top at a temperature, against quadratures of its Gibbs measure.
+
+use collective_integrators::{BrownianPaths, Integrator, Noisy, RungeKutta, Start};
+use heavytop::{HeavyTop, SpinorRealisation};
+use lie_poisson::{
+    Autonomous, Covector, DoubleBracket, InnerProduct, IsotropicNoise, LiePoisson, Pair, Se3,
+};
+use nalgebra::{Vector1, Vector3};
+
+const FRICTION: f64 = 0.7;
+const TEMPERATURE: f64 = 0.8;
+const STEP: f64 = 0.05;
+
+/// Returns the means of ½Π·Ω, Γ·c, (Γ·c)² and Π₃² over a path after it has forgotten its start, with standard errors from
+/// blocks that are much longer than the memory of the motion; and the largest changes of |Γ|² and Π·Γ.
+fn means(steps: u64) -> ([(f64, f64); 4], [f64; 2]) {
+    const BLOCKS: u64 = 50;
+    let (inertia, centre) = (Vector3::new(2.0, 1.5, 1.0), Vector3::new(0.6, 0.0, 0.8));
+    let top = HeavyTop::from_moment(inertia, 1.0, centre).unwrap();
+    let inner_product = InnerProduct::euclidean();
+    let noise = IsotropicNoise::thermal(inner_product.clone(), 6, (FRICTION, TEMPERATURE)).unwrap();
+    let space = LiePoisson::minus(Se3::default());
+    let field = DoubleBracket { space, field: Autonomous(top), friction: FRICTION, inner_product };
+    let paths = BrownianPaths::new(2, STEP).unwrap();
+    let scheme = RungeKutta::implicit_midpoint();
+    let langevin = Noisy::new(scheme, SpinorRealisation, field, noise, paths);
+    // f₁ = |Γ|² = 1, f₂ = Π·Γ = 0.3
+    let start = Covector(Pair(Vector3::new(0.5, 0.2, 0.3), Vector3::new(0.0, 0.0, 1.0)));
+    let clock = Pair(Vector1::new(1.0), Vector1::new(0.0));
+    let mut state = langevin.start(&Pair(start, clock)).unwrap();
+    let (mut workspace, mut blocks, mut lost) = (langevin.workspace(), Vec::new(), [0.0_f64; 2]);
+    let length = steps / (BLOCKS + 10);
+    for block in 0..BLOCKS + 10 {
+        let mut sums = [0.0; 4];
+        for made in (block * length..).take(length as usize) {
+            langevin.advance(&mut state, STEP, made..made + 1, &mut workspace).unwrap();
+            let Pair(Covector(Pair(pi, gamma)), _) = langevin.momentum(&state);
+            let height = gamma.dot(&centre);
+            let kinetic = 0.5 * pi.component_div(&inertia).dot(&pi);
+            let found = [kinetic, height, height * height, pi.z * pi.z];
+            sums.iter_mut().zip(found).for_each(|(sum, x)| *sum += x);
+            let casimirs = [gamma.norm_squared() - 1.0, pi.dot(&gamma) - 0.3];
+            lost.iter_mut().zip(casimirs).for_each(|(lost, x)| *lost = lost.max(x.abs()));
+        }
+        if block >= 10 {
+            blocks.push(sums.map(|sum| sum / length as f64));
+        }
+    }
+    let number = BLOCKS as f64;
+    let means = core::array::from_fn(|k| {
+        let mean = blocks.iter().map(|block| block[k]).sum::<f64>() / number;
+        let squares = blocks.iter().map(|block| (block[k] - mean).powi(2)).sum::<f64>();
+        (mean, (squares / (number * (number - 1.0))).sqrt())
+    });
+    (means, lost)
+}
+
+/// By quadrature: given Γ, Π is normal in the plane Π·Γ = f₂; it is integrated out, and then Γ over the sphere.
+const EXACT: [f64; 4] = [0.831_776_45, -0.385_231_66, 0.401_048_23, 0.575_531_47];
+
+fn require_gibbs(steps: u64, step_error: f64) {
+    let (found, lost) = means(steps);
+    for ((mean, error), exact) in found.iter().zip(EXACT) {
+        assert!((mean - exact).abs() < 4.0 * error + step_error, "{found:?}");
+        assert!(*error < 0.1, "{found:?}");
+    }
+    assert!(lost.iter().all(|lost| *lost < 1e-12), "{lost:?}");
+}
+
+#[test]
+fn a_heavy_top_has_the_means_of_gibbs_on_its_orbit() {
+    // The error of the midpoint rule is of the first order in the step.
+    require_gibbs(40_000, 4e-3);
+}
+
+#[test]
+#[ignore = "takes a minute"]
+fn a_heavy_top_has_the_means_of_gibbs_over_a_long_time() {
+    require_gibbs(2_000_000, 4e-3);
+}

@@ -1,0 +1,286 @@
+//! The collective integrator of an orbit field with noise: [`Noisy`].
+
+use crate::error::StepError;
+use crate::integrators::collective::{Collective, SpaceOf};
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
+use crate::open_systems::brownian_paths::BrownianPaths;
+use crate::open_systems::noise_rule::{NoisePart, NoiseRule};
+use crate::open_systems::smooth_pieces::{Window, smooth_pieces};
+use crate::schemes::scheme::{Equivariant, Scheme, Step};
+use crate::vector_field::VectorField;
+use lie_poisson::nalgebra::Vector1;
+use lie_poisson::{Differential, InTime, Noise, OrbitField, Pair, Real, TimeAxis, Vector};
+use momentum_map::{Identity, Lift, LiftError, PoissonMap, ProductMap, SourcePoint, TargetPoint};
+use smallvec::{SmallVec, smallvec};
+
+/// The map (M, id): P × R² → 𝔤∗ × R² of states with the number of the path and the time.
+type MapOfPaths<M> = ProductMap<M, Identity<InTime<TimeAxis>>>;
+
+/// The number of a path, and the time.
+pub type PathAndTime<T> = Pair<Vector1<T>, Vector1<T>>;
+
+/// The collective integrator of an [orbit field](OrbitField) ξ with [noise](Noise) σ_k: a scheme for
+///
+/// ```text
+/// dz = ξ(M(z), t)_P(z) dt + Σ_k σ_k(M(z), t)_P(z) ∘ dW_k,    with M: P → 𝔤∗ a realisation
+/// ```
+///
+/// in Stratonovich's sense, so that dμ = Λξ dt + Σ_k Λσ_k ∘ dW_k. In a step the scheme sees one field, ξ + Σ_k (ΔW_k/h) σ_k,
+/// or the fields one after the other: the [`NoiseRule`]. Both are generators, so that schemes that conserve quadratic
+/// invariants keep the Casimirs of each path to round-off, with any noise and any step.
+///
+/// A momentum is (μ, (number of the path, time)). The number is a whole number, the same along the path: it and the time
+/// determine the noise, as [`BrownianPaths`] says. So the members of an ensemble are starts with the numbers 0, 1, …, and
+/// their results do not depend on threads, lanes or interruptions. The intervals of the paths are usually the steps of the
+/// run; another step sees the same paths.
+///
+/// Sources: Milstein, Repin & Tretyakov, SIAM J. Numer. Anal. 40 (2002); Luesink, Ephrati, Cifani & Geurts, *Casimir preserving
+/// stochastic Lie–Poisson integrators*, Adv. Contin. Discrete Models (2024).
+///
+/// # Example
+/// A spin in a field that fluctuates about e₃, ds/dt = s × (1 + ½ dW/dt) e₃: it turns by t + W(t)/2, and its mean goes down as
+/// exp(−t/8).
+/// ```
+/// use collective_integrators::{BrownianPaths, NoiseRule, Noisy, RungeKutta, Start};
+/// use lie_poisson::{Covector, LiePoisson, Noise, OrbitField, Pair, Real, So3};
+/// use momentum_map::HOPF;
+/// use nalgebra::{Vector1, Vector3};
+/// struct Field(f64);
+/// impl<T: Real> OrbitField<LiePoisson<So3>, T> for Field {
+///     fn element(&self, _: &Covector<Vector3<T>>, _: T) -> Vector3<T> {
+///         Vector3::new(T::zero(), T::zero(), T::from_f64(self.0))
+///     }
+/// }
+/// impl<T: Real> Noise<LiePoisson<So3>, T> for Field {
+///     fn count(&self) -> usize {
+///         1
+///     }
+///     fn element(&self, _: &Covector<Vector3<T>>, _: T, weights: &[T]) -> Vector3<T> {
+///         Vector3::new(T::zero(), T::zero(), weights[0] * self.0)
+///     }
+/// }
+/// let paths = BrownianPaths::new(1, 0.1)?;
+/// let spin = Noisy::new(RungeKutta::gauss(3)?, HOPF, Field(1.0), Field(0.5), paths);
+/// let mut mean = 0.0;
+/// for path in 0..400 {
+///     let start = Pair(Covector(Vector3::x()), Pair(Vector1::new(path as f64), Vector1::new(0.0)));
+///     let Pair(Covector(s), _) = spin.after(&start, 0.1, 20)?.momentum;
+///     let mut noise = [0.0]; // W(2)
+///     paths.write_increments(path, 0.0, 20.0, &mut noise);
+///     let angle = 2.0 + 0.5 * noise[0];
+///     assert!((s - Vector3::new(angle.cos(), -angle.sin(), 0.0)).norm() < 1e-4);
+///     mean += s.x / 400.0;
+/// }
+/// assert!((mean - (-0.25_f64).exp() * 2.0_f64.cos()).abs() < 0.1); // three standard errors
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Noisy<S, M, X, N> {
+    collective: Collective<S, MapOfPaths<M>, X>,
+    noise: N,
+    paths: BrownianPaths,
+    rule: NoiseRule,
+}
+
+impl<S: Equivariant, M: PoissonMap, X, N> Noisy<S, M, X, N> {
+    /// Creates an integrator from a scheme that commutes with affine maps, with all noise [together](NoiseRule::Together).
+    pub fn new(scheme: S, map: M, field: X, noise: N, paths: BrownianPaths) -> Self
+    where
+        X: OrbitField<M::Target>,
+        N: Noise<M::Target>,
+    {
+        let map = ProductMap(map, Identity(lie_poisson::ProductSpace(TimeAxis, TimeAxis)));
+        let collective = Collective::of_field(scheme, map, field);
+        Self { collective, noise, paths, rule: NoiseRule::Together }
+    }
+
+    /// Returns the integrator with another rule for the noise.
+    #[must_use]
+    pub fn with_rule(self, rule: NoiseRule) -> Self {
+        Self { rule, ..self }
+    }
+}
+
+impl<S, M, X, N> Noisy<S, M, X, N> {
+    /// Returns the map M.
+    pub fn map(&self) -> &M {
+        &self.collective.system().map.0
+    }
+
+    /// Returns the noise.
+    pub const fn noise(&self) -> &N {
+        &self.noise
+    }
+
+    /// Returns the Brownian motions.
+    pub const fn paths(&self) -> &BrownianPaths {
+        &self.paths
+    }
+
+    /// Returns whether the steps descend to 𝔤∗: whether M(Φ(z)) depends on M(z) alone.
+    pub const fn descends(&self) -> bool {
+        self.collective.descends()
+    }
+
+    /// Makes the parts of a step.
+    #[inline]
+    fn parts<T: Real>(
+        &self,
+        Pair(path, clock): &PathAndTime<T>,
+        step: f64,
+        mut part: impl FnMut(Window<T>, NoisePart<'_, T>) -> Result<usize, StepError>,
+    ) -> Result<usize, StepError>
+    where
+        M: PoissonMap,
+        X: OrbitField<M::Target, T>,
+        N: Noise<M::Target, T>,
+    {
+        let interval = self.paths.interval();
+        let count = self.rule.components(self.noise.count());
+        let field = &self.collective.system().hamiltonian;
+        smooth_pieces(
+            clock.x * interval,
+            step,
+            |time, forward| field.next_break(time, forward),
+            |window, elapsed, step| {
+                let [from, to] = [elapsed, elapsed + step].map(|time| time / interval);
+                let mut increments: SmallVec<[T; 8]> = smallvec![T::zero(); count];
+                write_increments(&self.paths, (path.x, clock.x), (from, to), &mut increments);
+                self.rule.parts(&increments, step, |noise| part(window, noise))
+            },
+        )
+    }
+}
+
+/// Writes the increments of the components of a path in each lane, between two times after that of the clock.
+#[inline]
+pub(super) fn write_increments<T: Real>(
+    paths: &BrownianPaths,
+    (path, clock): (T, T),
+    (from, to): (f64, f64),
+    increments: &mut [T],
+) {
+    let count = increments.len();
+    let mut lanes: SmallVec<[f64; 8]> = SmallVec::new();
+    let mut begin = |path: f64, clock: f64| {
+        let first = lanes.len();
+        lanes.resize(first + count, 0.0);
+        let lane = lanes.get_mut(first..).unwrap_or_default();
+        paths.write_increments(path as u64, clock + from, clock + to, lane);
+        0.0
+    };
+    let zero = path.lane_by_lane(clock, &mut begin);
+    for (k, increment) in increments.iter_mut().enumerate() {
+        let mut place = k;
+        *increment = zero.lane_by_lane(zero, |_, _| {
+            let value = lanes.get(place).copied().unwrap_or(f64::NAN);
+            place += count;
+            value
+        });
+    }
+}
+
+/// The vector field (ξ_P(z), 0, drift/interval) at (z, path, time) with ξ = a ξ₀ + Σ_k w_k σ_k.
+struct NoisyGenerator<'a, M, X, N, T> {
+    map: &'a M,
+    field: &'a X,
+    noise: &'a N,
+    part: NoisePart<'a, T>,
+    window: Window<T>,
+    interval: f64,
+}
+
+impl<M, X, N, T> VectorField<T> for NoisyGenerator<'_, M, X, N, T>
+where
+    M: PoissonMap,
+    X: OrbitField<M::Target, T>,
+    N: Noise<M::Target, T>,
+    T: Real,
+{
+    type Point = SourcePoint<MapOfPaths<M>, T>;
+
+    #[cfg_attr(optimised, inline(always))]
+    fn at(&self, Pair(z, Pair(_, clock)): &Self::Point) -> Self::Point {
+        let NoisePart { drift, weights, .. } = self.part;
+        let time = self.window.nearest(clock.x * self.interval);
+        let mu = self.map.apply::<T>(z);
+        let mut xi: Differential<M::Target, T> = Vector::zero();
+        if drift != 0.0 {
+            xi = self.field.element(&mu, time);
+        }
+        if !weights.is_empty() {
+            xi = xi + self.noise.element(&mu, time, weights);
+        }
+        let rate = Vector1::new(T::from_f64(drift / self.interval));
+        Pair(self.map.generator::<T>(&xi, z), Pair(Vector1::new(T::zero()), rate))
+    }
+}
+
+impl<S, M, X, N, T> Integrator<T> for Noisy<S, M, X, N>
+where
+    S: Scheme,
+    M: PoissonMap,
+    X: OrbitField<M::Target, T>,
+    N: Noise<M::Target, T>,
+    T: Real,
+{
+    type State = SourcePoint<MapOfPaths<M>, T>;
+    type Momentum = TargetPoint<MapOfPaths<M>, T>;
+    type Workspace = SpaceOf<S, MapOfPaths<M>, T>;
+
+    fn workspace(&self) -> Self::Workspace {
+        self.collective.workspace_of::<T>()
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn step(
+        &self,
+        state: &Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Step<Self::State>, StepError> {
+        let (map, field, noise) = (self.map(), &self.collective.system().hamiltonian, &self.noise);
+        let interval = self.paths.interval();
+        Step::of_copy(state, |point| {
+            self.parts::<T>(&state.1, step, |window, part| {
+                // The noise before says nothing about that of this part.
+                self.collective.forget_stages_of::<T>(workspace);
+                let generator = NoisyGenerator { map, field, noise, part, window, interval };
+                let made =
+                    self.collective.step_of::<T, _>(&generator, point, part.step, workspace)?;
+                *point = made.point;
+                Ok(made.iterations)
+            })
+        })
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn forget(&self, workspace: &mut Self::Workspace) {
+        self.collective.forget_of::<T>(workspace);
+    }
+
+    fn pin(&self, workspace: &mut Self::Workspace) {
+        workspace.pin();
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn momentum(&self, Pair(z, Pair(path, clock)): &Self::State) -> Self::Momentum {
+        Pair(self.map().apply::<T>(z), Pair(*path, *clock * T::from_f64(self.paths.interval())))
+    }
+}
+
+impl<S, M, X, N, T> Start<T> for Noisy<S, M, X, N>
+where
+    S: Scheme,
+    M: Lift,
+    X: OrbitField<M::Target, T>,
+    N: Noise<M::Target, T>,
+    T: Real,
+{
+    /// Returns the lift of μ, the number of the path, and the time in intervals.
+    fn start(&self, Pair(mu, Pair(path, time)): &Self::Momentum) -> Result<Self::State, LiftError> {
+        let clock = *time / T::from_f64(self.paths.interval());
+        Ok(Pair(self.map().lift::<T>(mu)?, Pair(*path, clock)))
+    }
+}

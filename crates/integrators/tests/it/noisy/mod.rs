@@ -1,0 +1,8 @@
+//! Motions with noise: what is kept on each path, what is true in the mean, and that paths are functions of time.
+
+mod brownian_paths;
+mod gibbs_means;
+mod noisy_casimirs;
+mod noisy_orders;
+mod paths_of_runs;
+mod support;

@@ -1,0 +1,88 @@
+//! Fields, noise and ensembles of the tests.
+
+use collective_integrators::{BrownianPaths, Noisy, RungeKutta, Start};
+use lie_poisson::{
+    Autonomous, Covector, DoubleBracket, Hamiltonian, InnerProduct, IsotropicNoise, LiePoisson,
+    OrbitField, Pair, Point, PoissonSpace, Real, So3, Vector,
+};
+use momentum_map::Lift;
+use nalgebra::{Vector1, Vector3};
+use std::thread;
+
+/// The field ξ = e₃ times a rate.
+#[derive(Clone, Copy, Debug)]
+pub struct Axial(pub f64);
+
+impl<T: Real> OrbitField<LiePoisson<So3>, T> for Axial {
+    fn element(&self, _: &Covector<Vector3<T>>, _: T) -> Vector3<T> {
+        Vector3::new(T::zero(), T::zero(), T::from_f64(self.0))
+    }
+}
+
+pub fn isotropic(dimension: usize, strength: f64) -> IsotropicNoise {
+    IsotropicNoise { inner_product: InnerProduct::euclidean(), dimension, strength }
+}
+
+/// A momentum, the number of its path, and the time.
+pub type OnPath<P> = Pair<P, Pair<Vector1<f64>, Vector1<f64>>>;
+
+/// Returns a momentum on a path, at time 0.
+pub fn on_path<P>(mu: P, path: u64) -> OnPath<P> {
+    Pair(mu, Pair(Vector1::new(path as f64), Vector1::new(0.0)))
+}
+
+/// Langevin's dynamics of a Hamiltonian at a temperature.
+pub type Langevin<M, P, H> = Noisy<RungeKutta, M, DoubleBracket<P, Autonomous<H>>, IsotropicNoise>;
+
+/// Returns Langevin's dynamics by the midpoint rule.
+pub fn langevin<M, P, H>(
+    (map, space, h): (M, P, H),
+    (friction, temperature): (f64, f64),
+    paths: BrownianPaths,
+) -> Langevin<M, P, H>
+where
+    M: Lift<Target = P>,
+    P: PoissonSpace,
+    H: Hamiltonian<P>,
+{
+    let inner_product = InnerProduct::euclidean();
+    let dimension = <Point<P, f64> as Vector>::DIM;
+    let noise = IsotropicNoise::thermal(inner_product.clone(), dimension, (friction, temperature));
+    let field = DoubleBracket { space, field: Autonomous(h), friction, inner_product };
+    Noisy::new(RungeKutta::implicit_midpoint(), map, field, noise.unwrap(), paths)
+}
+
+/// Follows many paths from a start on two threads, and returns the means of what `measure` makes of their ends, with the
+/// standard errors. The paths of one thread are summed in their order.
+pub fn means<I, P, const K: usize>(
+    noisy: &I,
+    start: P,
+    (count, step, steps): (u64, f64, u64),
+    measure: impl Fn(&P) -> [f64; K] + Sync,
+) -> [(f64, f64); K]
+where
+    I: Start<Momentum = OnPath<P>> + Sync,
+    P: Clone + Sync,
+{
+    let half = |paths: core::ops::Range<u64>| {
+        let (mut workspace, mut sums) = (noisy.workspace(), [[0.0; 2]; K]);
+        for path in paths {
+            let mut state = noisy.start(&on_path(start.clone(), path)).unwrap();
+            noisy.advance(&mut state, step, 0..steps, &mut workspace).unwrap();
+            for (sum, x) in sums.iter_mut().zip(measure(&noisy.momentum(&state).0)) {
+                *sum = [sum[0] + x, sum[1] + x * x];
+            }
+        }
+        sums
+    };
+    let middle = count / 2;
+    let [first, second] = thread::scope(|scope| {
+        let both = [scope.spawn(|| half(0..middle)), scope.spawn(|| half(middle..count))];
+        both.map(|one| one.join().unwrap())
+    });
+    let number = count as f64;
+    core::array::from_fn(|k| {
+        let [sum, squares] = [0, 1].map(|i| (first[k][i] + second[k][i]) / number);
+        (sum, ((squares - sum * sum) / (number - 1.0)).sqrt())
+    })
+}

@@ -1,0 +1,122 @@
+//! Noise that moves along coadjoint orbits: [`Noise`], [`IsotropicNoise`].
+
+use crate::brackets::poisson::PoissonSpace;
+use crate::orbits::inner_product::InnerProduct;
+use generic_scalars::{Differential, Point, Real};
+use thiserror::Error;
+
+/// Fields σ_k: 𝔤∗ × R → 𝔤 that are driven by independent Brownian motions `W_k`, in Stratonovich's sense:
+///
+/// ```text
+/// dμ = Λ(μ) ξ(μ, t) dt + Σ_k Λ(μ) σ_k(μ, t) ∘ dW_k
+/// ```
+///
+/// Each path stays on its coadjoint orbit, so that all Casimirs are constant along it. The unit of σ_k is that of ξ times the
+/// root of a time.
+///
+/// Source: Lázaro-Camí & Ortega, *Stochastic Hamiltonian dynamical systems*, Rep. Math. Phys. 61 (2008), for σ_k = dh_k.
+///
+/// # Example
+/// A field about e₃ that fluctuates:
+/// ```
+/// use lie_poisson::{Covector, LiePoisson, Noise, PoissonSpace, Real, So3};
+/// use nalgebra::Vector3;
+/// struct Fluctuating {
+///     strength: f64,
+/// }
+/// impl<T: Real> Noise<LiePoisson<So3>, T> for Fluctuating {
+///     fn count(&self) -> usize {
+///         1
+///     }
+///     fn element(&self, _: &Covector<Vector3<T>>, _: T, weights: &[T]) -> Vector3<T> {
+///         Vector3::new(T::zero(), T::zero(), weights[0] * self.strength)
+///     }
+/// }
+/// let pi = Covector(Vector3::new(1.0, 2.0, 2.0));
+/// let xi = Fluctuating { strength: 0.5 }.element(&pi, 0.0, &[0.2]);
+/// assert_eq!(LiePoisson::minus(So3).hamiltonian_vector(&pi, &xi).0, Vector3::new(0.2, -0.1, 0.0));
+/// ```
+pub trait Noise<P: PoissonSpace, T: Real = f64> {
+    /// Returns the number of Brownian motions.
+    fn count(&self) -> usize;
+
+    /// Returns Σ_k w_k σ_k(μ, t) for as many weights as there are Brownian motions.
+    fn element(&self, mu: &Point<P, T>, time: T, weights: &[T]) -> Differential<P, T>;
+}
+
+/// Noise that is the same in all directions of an inner product: constant fields σ_k = σ e_k, with elements e_k of 𝔤 that are
+/// orthonormal.
+///
+/// With the double bracket of the same inner product and friction θ, and σ² = 2θkT, it is Langevin's dynamics at the temperature
+/// T: the invariant measure on each orbit is exp(−h/kT) times Liouville's.
+///
+/// # Example
+/// ```
+/// use lie_poisson::{InnerProduct, IsotropicNoise, NoiseError};
+/// let noise = IsotropicNoise::thermal(InnerProduct::euclidean(), 3, (0.5, 2.0))?;
+/// assert_eq!(noise.strength, 2.0_f64.sqrt()); // √(2θkT)
+/// let refused = IsotropicNoise::thermal(InnerProduct::euclidean(), 3, (0.5, -2.0));
+/// assert_eq!(refused, Err(NoiseError::Temperature { temperature: -2.0 }));
+/// # Ok::<(), NoiseError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct IsotropicNoise {
+    /// The inner product ♯.
+    pub inner_product: InnerProduct,
+    /// The dimension of the algebra, which is the number of Brownian motions.
+    pub dimension: usize,
+    /// The strength σ.
+    pub strength: f64,
+}
+
+impl IsotropicNoise {
+    /// Returns the noise of a temperature, σ = √(2θkT) with the friction θ and the energy kT. Both must be 0 or positive.
+    ///
+    /// # Errors
+    /// Returns [`NoiseError`] for a negative friction or temperature, or one that is no finite number.
+    pub fn thermal(
+        inner_product: InnerProduct,
+        dimension: usize,
+        (friction, temperature): (f64, f64),
+    ) -> Result<Self, NoiseError> {
+        if !(friction >= 0.0 && friction.is_finite()) {
+            return Err(NoiseError::Friction { friction });
+        }
+        if !(temperature >= 0.0 && temperature.is_finite()) {
+            return Err(NoiseError::Temperature { temperature });
+        }
+        // Roots of both, since the product may overflow.
+        let strength = 2.0_f64.sqrt() * friction.sqrt() * temperature.sqrt();
+        Ok(Self { inner_product, dimension, strength })
+    }
+}
+
+/// The reason why there is no such noise.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum NoiseError {
+    /// The friction is negative or no finite number.
+    #[error("the friction must be 0 or a positive number, it is {friction}")]
+    Friction {
+        /// The rejected friction.
+        friction: f64,
+    },
+    /// The temperature is negative or no finite number.
+    #[error("the temperature must be 0 or a positive number, it is {temperature}")]
+    Temperature {
+        /// The rejected temperature.
+        temperature: f64,
+    },
+}
+
+impl<P: PoissonSpace, T: Real> Noise<P, T> for IsotropicNoise {
+    fn count(&self) -> usize {
+        self.dimension
+    }
+
+    #[inline]
+    fn element(&self, _: &Point<P, T>, _: T, weights: &[T]) -> Differential<P, T> {
+        let element = self.inner_product.orthonormal::<P, T>(weights);
+        generic_scalars::map_coordinates(&element, |x| x * self.strength)
+    }
+}
