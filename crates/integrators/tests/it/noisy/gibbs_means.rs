@@ -102,7 +102,7 @@ fn spins(steps: u64, temperatures: &[f64]) {
             &format!("kT = {temperature}"),
         );
         // Control: the mean of another temperature is far from it.
-        let other = (1.3 * x).tanh().recip() - temperature / 1.3;
+        let other = (2.5 * x).tanh().recip() - temperature / 2.5;
         assert!((found[0].0 - other).abs() > 4.0 * found[0].1, "kT = {temperature}: {found:?}");
     }
 }
