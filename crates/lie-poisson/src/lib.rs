@@ -52,6 +52,8 @@
 //! | a Hamiltonian that depends on time | [`TimeDependent`] of a Hamiltonian on [`InTime<P>`](InTime) |
 //! | any field ξ(μ, t) whose motion stays on coadjoint orbits, such as a control | [`OrbitField`] |
 //! | an input u(t) by a table of times and values | [`InputTable`], with an [`Interpolation`] |
+//! | a control law added to a field; inputs along fixed elements of 𝔤 | [`Controlled`], [`Inputs`] |
+//! | damping of spins without a unit | [`GilbertDamping`] |
 //! | dissipation on coadjoint orbits | [`DoubleBracket`], with an [`InnerProduct`] |
 //! | maps from 𝔤 to G other than exp | [`Cayley`] |
 //! | tests of your own types against the axioms | the module `laws` (feature `laws`) |
@@ -138,7 +140,9 @@ pub use brackets::hamiltonian::{
 pub use brackets::poisson::{LiePoisson, PoissonSpace, Sign};
 pub use brackets::product_space::{PowerSpace, ProductSpace, from_parts, parts};
 pub use brackets::sites_hamiltonian::SitesHamiltonian;
+pub use orbits::control::{Controlled, Inputs, InputsError};
 pub use orbits::double_bracket::DoubleBracket;
+pub use orbits::gilbert_damping::{GilbertDamping, GilbertDampingError, SpinSpace};
 pub use orbits::inner_product::{InnerProduct, InnerProductError};
 pub use orbits::input_table::{InputTable, InputTableError};
 pub use orbits::interpolation::{Interpolation, UnknownInterpolation};

@@ -23,6 +23,7 @@ mod algebra;
 mod faulty;
 mod group;
 mod hamiltonian;
+mod orbit_field;
 mod poisson;
 mod representation;
 
@@ -30,6 +31,7 @@ pub use algebra::lie_algebra;
 pub use faulty::Faulty;
 pub use group::{cayley, lie_group};
 pub use hamiltonian::{hamiltonian, sites_hamiltonian};
+pub use orbit_field::{double_bracket, orbit_field};
 pub use poisson::{casimirs, poisson_space};
 pub use representation::{group_representation, representation};
 

@@ -11,11 +11,12 @@ use generic_scalars::{Differential, Point, Real, map_coordinates};
 /// ξ = ξ₀ + θ (Λ ξ₀)♯,    with ξ₀ the field that is damped and ♯: 𝔤∗ → 𝔤 an inner product
 /// ```
 ///
-/// For ξ₀ = dh the energy falls, dh/dt = −θ |Λ dh|², until Λ dh = 0, and the motion stays on its coadjoint orbit. On so(3)∗ with
-/// the Euclidean inner product it is dΠ/dt = Π × Ω + θ Π × (Π × Ω), the equation of Landau and Lifshitz. The friction θ has the
-/// unit 1/μ, if ♯ has none.
+/// For ξ₀ = dh the energy falls, dh/dt = −θ |Λ dh|², until Λ dh = 0, and the motion stays on its coadjoint orbit. On
+/// so(3)∗ with the Euclidean inner product it is dΠ/dt = Π × Ω + θ Π × (Π × Ω), the equation of Landau and Lifshitz.
+/// The friction θ has the unit 1/μ, if ♯ has none.
 ///
-/// Sources: Brockett, Linear Algebra Appl. 146 (1991); Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys. 175 (1996).
+/// Sources: Brockett, Linear Algebra Appl. 146 (1991); Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys. 175
+/// (1996).
 ///
 /// # Example
 /// A spin in the field e₃, h = −Π₃, turns towards it:

@@ -73,8 +73,13 @@ pub enum InputTableError {
 
 /// An input u(t) by a table of times and values, with an [`Interpolation`] between them.
 ///
-/// The input is known from the first time to the last, both included, and is never extrapolated. Times and values have any units.
-/// At the times of the table the input, or a derivative of it, jumps: a step of an integrator should end there.
+/// The input is known from the first time to the last, both included, and is never extrapolated. Times and values have
+/// any units. At the times of the table the input, or a derivative of it, jumps: a step of an integrator should end
+/// there.
+///
+/// Gauss's methods evaluate an input within their steps alone. A method that evaluates it at the ends of a step, such
+/// as the classical one of Runge and Kutta, sees the value after a jump also at the end of the step before; at the last
+/// time of the table, round-off of its time may make it NaN, unless the table goes on a little longer than the run.
 ///
 /// # Example
 /// ```
@@ -99,8 +104,8 @@ impl InputTable {
     /// Creates an input from its times, which increase, and as many values.
     ///
     /// # Errors
-    /// Returns [`InputTableError`] if the numbers of times and values differ, if there are fewer than two, if a time does not
-    /// increase, if a number is NaN or infinite, or if the interpolation overflows.
+    /// Returns [`InputTableError`] if the numbers of times and values differ, if there are fewer than two, if a time
+    /// does not increase, if a number is NaN or infinite, or if the interpolation overflows.
     pub fn new(
         times: Vec<f64>,
         values: Vec<f64>,
@@ -134,14 +139,15 @@ impl InputTable {
 
     /// Returns u(t). It is NaN outside the table.
     ///
-    /// The table is searched by bisection. SIMD lanes whose times lie in different intervals have the bits of each lane alone.
+    /// The table is searched by bisection. SIMD lanes whose times lie in different intervals have the bits of each lane
+    /// alone.
     #[must_use]
     pub fn at<T: Real>(&self, time: T) -> T {
         self.piecewise(time, |piece| piece.at(time))
     }
 
-    /// Returns the derivative du/dt at t, that from the right at the times of the table and from the left at the last one. It is 0
-    /// between jumps of a [constant](Interpolation::Constant) input, and NaN outside the table.
+    /// Returns the derivative du/dt at t, that from the right at the times of the table and from the left at the last
+    /// one. It is 0 between jumps of a [constant](Interpolation::Constant) input, and NaN outside the table.
     #[must_use]
     pub fn derivative<T: Real>(&self, time: T) -> T {
         self.piecewise(time, |piece| piece.derivative(time))
@@ -175,8 +181,8 @@ impl InputTable {
         &self.times
     }
 
-    /// Returns the next time of the table strictly after `time`, or strictly before it if `forward` is false. There is none beyond the
-    /// ends, nor for NaN.
+    /// Returns the next time of the table strictly after `time`, or strictly before it if `forward` is false. There is
+    /// none beyond the ends, nor for NaN.
     #[must_use]
     pub fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
         if time.is_nan() {

@@ -26,12 +26,13 @@ pub struct UnknownInterpolation {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Interpolation {
-    /// Each value holds from its time until the next one, where the next value begins. The last value is that of the last
-    /// time alone.
+    /// Each value holds from its time until the next one, where the next value begins. The last value is that of the
+    /// last time alone.
     Constant,
     /// Straight lines.
     Linear,
-    /// The natural cubic spline, which is twice continuously differentiable and has the second derivative 0 at both ends.
+    /// The natural cubic spline, which is twice continuously differentiable and has the second derivative 0 at both
+    /// ends.
     Cubic,
 }
 
@@ -50,7 +51,8 @@ impl Interpolation {
         }
     }
 
-    /// Returns the pieces of the interpolation of at least two values at increasing times. The last piece of constants is a point.
+    /// Returns the pieces of the interpolation of at least two values at increasing times. The last piece of constants
+    /// is a point.
     pub(crate) fn pieces(self, times: &[f64], values: &[f64]) -> Vec<Piece> {
         let curvatures = match self {
             Self::Constant | Self::Linear => vec![0.0; times.len()],
@@ -125,8 +127,8 @@ impl Piece {
     }
 }
 
-/// Returns the part of the whole table that an interval takes: second derivatives by it have the unit of the values, so that none of
-/// them depends on the unit of time.
+/// Returns the part of the whole table that an interval takes: second derivatives by it have the unit of the values, so
+/// that none of them depends on the unit of time.
 fn relative_width(times: &[f64], interval: &[f64]) -> f64 {
     let whole = times[times.len() - 1] - times[0];
     (interval[1] - interval[0]) / whole

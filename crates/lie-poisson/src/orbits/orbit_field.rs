@@ -13,12 +13,13 @@ use nalgebra::Vector1;
 /// dμ/dt = Λ(μ) ξ(μ, t),    which is ad∗_ξ μ for the minus bracket and −ad∗_ξ μ for the plus bracket.
 /// ```
 ///
-/// The motion stays on the symplectic leaves, which are the coadjoint orbits of 𝔤∗, whatever ξ is: every Casimir C is constant,
-/// since Λ dC = 0. A Hamiltonian is the case ξ = dh, [`Autonomous`], and one that depends on time the case ξ = `d_μ` h(μ, t), [`TimeDependent`]; their flows are Poisson maps.
-/// The flow of any other ξ, such as that of a [`DoubleBracket`](crate::DoubleBracket) or of a control, conserves the Casimirs alone.
+/// The motion stays on the symplectic leaves, which are the coadjoint orbits of 𝔤∗, whatever ξ is: every Casimir C is
+/// constant, since Λ dC = 0. A Hamiltonian is the case ξ = dh, [`Autonomous`], and one that depends on time the case ξ
+/// = `d_μ` h(μ, t), [`TimeDependent`]; their flows are Poisson maps. The flow of any other ξ, such as that of a
+/// [`DoubleBracket`](crate::DoubleBracket) or of a control, conserves the Casimirs alone.
 ///
-/// Sources: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §14.3; Bloch, Krishnaprasad, Marsden & Ratiu,
-/// *The Euler–Poincaré equations and double bracket dissipation*, Commun. Math. Phys. 175 (1996).
+/// Sources: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §14.3; Bloch, Krishnaprasad, Marsden &
+/// Ratiu, *The Euler–Poincaré equations and double bracket dissipation*, Commun. Math. Phys. 175 (1996).
 ///
 /// # Example
 /// A spin that is turned about e₃ at the rate Π₁ cos t; this ξ is the gradient of no function:
@@ -43,12 +44,24 @@ pub trait OrbitField<P: PoissonSpace, T: Real = f64> {
     /// Returns ξ(μ, t), an element of 𝔤.
     fn element(&self, mu: &Point<P, T>, time: T) -> Differential<P, T>;
 
-    /// Returns the next time strictly after `time`, or strictly before it if `forward` is false, at which ξ or a derivative of it
-    /// jumps, such as a time of an [`InputTable`](crate::InputTable). Integrators end a step there, since a step across a jump loses
-    /// the order of its method. There is none by default.
+    /// Returns the next time strictly after `time`, or strictly before it if `forward` is false, at which ξ or a
+    /// derivative of it jumps, such as a time of an [`InputTable`](crate::InputTable). Integrators end a step there,
+    /// since a step across a jump loses the order of its method. There is none by default.
     fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
         let (_, _) = (time, forward);
         None
+    }
+}
+
+/// A reference to a field is a field.
+impl<P: PoissonSpace, T: Real, X: OrbitField<P, T> + ?Sized> OrbitField<P, T> for &X {
+    #[cfg_attr(optimised, inline(always))]
+    fn element(&self, mu: &Point<P, T>, time: T) -> Differential<P, T> {
+        (**self).element(mu, time)
+    }
+
+    fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        (**self).next_break(time, forward)
     }
 }
 

@@ -9,8 +9,8 @@ use nalgebra::Vector1;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TimeAxis;
 
-/// The product P × R of a Poisson space with the axis of time, whose points are (μ, t). Functions of t are Casimirs of it, so
-/// that the bracket is that of P at each time.
+/// The product P × R of a Poisson space with the axis of time, whose points are (μ, t). Functions of t are Casimirs of
+/// it, so that the bracket is that of P at each time.
 pub type InTime<P> = ProductSpace<P, TimeAxis>;
 
 impl VectorSpace for TimeAxis {

@@ -23,6 +23,11 @@ fn faults_of_each_method_are_refused() {
     let faulty = Faulty::new(&body, "differential", 0);
     let report = laws::hamiltonian::<LiePoisson<So3>, _>(&faulty, &samples());
     assert_eq!(broken(report), ["differential", "second derivative"]);
+    let (space, plain) = (LiePoisson::minus(So3), InnerProduct::euclidean());
+    let field = Autonomous(&body);
+    let faulty = |_| Faulty::new(&field, "element", 0);
+    let report = laws::double_bracket(&space, &body, &plain, faulty, 0.0, &samples());
+    assert_eq!(broken(report), ["loss of energy", "linear in the friction"]);
 }
 
 /// A fault is in the method with its name, and in a coordinate that the result has.

@@ -9,5 +9,7 @@ mod faults_of_any_size;
 mod faulty_objects;
 mod hamiltonian_laws;
 mod input_tables;
+mod orbit_fields;
 mod sizes;
+mod spin_damping;
 mod support;

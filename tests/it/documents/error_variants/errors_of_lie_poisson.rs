@@ -2,9 +2,10 @@
 
 use super::refused;
 use lie_poisson::{
-    Cocycle, InfinitesimalAdjoint, InnerProduct, InputTable, Interpolation, StructureConstants,
-    StructureEntry, StructureTable,
+    Cocycle, InfinitesimalAdjoint, InnerProduct, InputTable, Inputs, Interpolation,
+    StructureConstants, StructureEntry, StructureTable,
 };
+use nalgebra::Vector3;
 
 /// Returns the errors of tables of constants, of linear maps, of matrices and of inputs that are what they should not be.
 pub fn errors() -> Vec<String> {
@@ -40,5 +41,9 @@ pub fn errors() -> Vec<String> {
         refused(table(&[1.0, 1.0], &[0.0, 0.0])),
         refused(table(&[0.0, 1e-300], &[0.0, 1e300])),
         refused(table(&[0.0, 1.0], &[0.0, 1.0]).unwrap().require_until(0.0, 2.0)),
+        refused(Inputs::new(vec![(
+            Vector3::new(f64::NAN, 0.0, 0.0),
+            table(&[0.0, 1.0], &[0.0, 1.0]).unwrap(),
+        )])),
     ]
 }

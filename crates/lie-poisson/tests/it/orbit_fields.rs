@@ -1,0 +1,288 @@
+//! Orbit fields on so(3)∗, se(3)∗, so(4)∗ and u(3)∗ obey their laws in all units, and each law rejects something that
+//! breaks it.
+
+use crate::support::{TOLERANCE, holds, laws, samples};
+use laws::{Faulty, Report};
+use lie_poisson::*;
+use nalgebra::{DMatrix, Vector3};
+use proptest::prelude::*;
+use std::marker::PhantomData;
+
+/// h = Σ kᵢ μᵢ μᵢ₊₁ + ½ Σ μᵢ².
+fn quadratic<V: Vector>(mu: &V) -> V::Scalar {
+    let n = V::DIM;
+    (0..n).fold(num_traits::zero(), |sum: V::Scalar, i| {
+        let (x, next) = (mu.coordinate(i), mu.coordinate((i + 1) % n));
+        sum + x * next * (0.3 + 0.1 * i as f64) + x * x * 0.5
+    })
+}
+
+/// The energy h on the dual of any algebra.
+struct Quadratic<A>(PhantomData<A>);
+
+impl<A: LieAlgebra> Energy for Quadratic<A> {
+    type Space = LiePoisson<A>;
+    fn energy<T: Real>(&self, mu: &Momentum<A, T>) -> T {
+        quadratic(mu)
+    }
+}
+
+/// The energy (2 + sin(t/τ)) h.
+struct Oscillating<A>(f64, PhantomData<A>);
+
+impl<A: LieAlgebra> Energy for Oscillating<A> {
+    type Space = InTime<LiePoisson<A>>;
+    fn energy<T: Real>(&self, Pair(mu, t): &Point<Self::Space, T>) -> T {
+        ((t.x / self.0).sin() + 2.0) * quadratic(mu)
+    }
+}
+
+/// The units of momenta and of time.
+#[derive(Clone, Copy, Debug)]
+struct Units {
+    momentum: f64,
+    time: f64,
+}
+
+const PLAIN: Units = Units { momentum: 1.0, time: 1.0 };
+
+fn units() -> impl Strategy<Value = Units> {
+    [-30..30_i32, -30..30_i32].prop_map(|powers| {
+        let [momentum, time] = powers.map(|power| 10.0_f64.powi(power));
+        Units { momentum, time }
+    })
+}
+
+/// Returns inputs along two elements of 𝔤 from the time 0 to 3τ, one of them with the given interpolation.
+fn inputs<D: Vector<Scalar = f64>>(units: Units, interpolation: Interpolation) -> Inputs<D> {
+    let table = |times: &[f64], values: &[f64], interpolation| {
+        let times = times.iter().map(|t| t * units.time).collect();
+        InputTable::new(times, values.to_vec(), interpolation).unwrap()
+    };
+    let tables = [
+        table(&[0.0, 0.4, 1.0, 3.0], &[1.0, -0.5, 2.0, 0.7], interpolation),
+        table(&[-1.0, 2.0, 4.0], &[0.2, 0.9, -0.8], Interpolation::Linear),
+    ];
+    let elements = samples::<D>().into_iter().map(|xi| xi.scaled(units.momentum));
+    Inputs::new(elements.zip(tables).collect()).unwrap()
+}
+
+/// Returns the inner product of the matrix AAᵀ + 1 with entries of A below ½.
+fn weighted(size: usize) -> InnerProduct {
+    let root = DMatrix::from_fn(size, size, |i, j| (i as f64 - 1.3 * j as f64).sin() * 0.5);
+    let matrix = &root * root.transpose() + DMatrix::identity(size, size);
+    InnerProduct::new(matrix.as_slice()).unwrap()
+}
+
+fn laws_hold<A>(space: LiePoisson<A>, numbers: &[f64], units: Units, interpolation: Interpolation)
+where
+    A: Casimirs + Clone,
+{
+    let mut numbers = numbers.iter().cycle().map(|x| x * units.momentum);
+    let samples: Vec<Momentum<A>> =
+        (0..2).map(|_| Vector::from_coordinates(|_| numbers.next().unwrap())).collect();
+    let h = Automatic(Quadratic::<A>(PhantomData));
+    let friction = 0.4 / units.momentum;
+    let inner_product = weighted(Momentum::<A>::DIM);
+    let damped = |friction| DoubleBracket {
+        space: space.clone(),
+        field: Autonomous(&h),
+        friction,
+        inner_product: inner_product.clone(),
+    };
+    holds(laws::double_bracket(&space, &h, &inner_product, damped, friction, &samples).unwrap());
+    let oscillating = TimeDependent(Automatic(Oscillating::<A>(units.time, PhantomData)));
+    let control = inputs(units, interpolation);
+    let field = DoubleBracket {
+        space: space.clone(),
+        field: Controlled { field: oscillating, control },
+        friction,
+        inner_product: inner_product.clone(),
+    };
+    for (begin, end) in [(0.0, 3.0), (2.5, 0.1)].map(|(a, b)| (a * units.time, b * units.time)) {
+        holds(laws::orbit_field(&space, &field, (begin, end), &samples).unwrap());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    #[test]
+    fn laws_of_orbit_fields(
+        numbers in prop::array::uniform18(-2.0..2.0_f64),
+        units in units(),
+        sign in prop::sample::select(&[Sign::Plus, Sign::Minus]),
+        kind in prop::sample::select(&[
+            Interpolation::Constant,
+            Interpolation::Linear,
+            Interpolation::Cubic,
+        ]),
+    ) {
+        laws_hold(LiePoisson::new(So3, sign), &numbers, units, kind);
+        laws_hold(LiePoisson::new(Se3::default(), sign), &numbers, units, kind);
+        laws_hold(LiePoisson::new(ProductAlgebra(So3, So3), sign), &numbers, units, kind);
+        laws_hold(LiePoisson::new(UnitaryAlgebra::<3>, sign), &numbers, units, kind);
+    }
+
+    /// Breaks of a sum are those of its parts, in the order of time, and every wrapper tells those of its field.
+    #[test]
+    fn breaks_are_told_by_all_fields(time in -2.0..5.0_f64, forward: bool) {
+        let control: Inputs<Vector3<f64>> = inputs(PLAIN, Interpolation::Constant);
+        let still = Autonomous(from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.y));
+        let mut times = vec![-1.0, 0.0, 0.4, 1.0, 2.0, 3.0, 4.0];
+        times.retain(|t| if forward { *t > time } else { *t < time });
+        let expected = if forward { times.first() } else { times.last() }.copied();
+        let space = LiePoisson::minus(So3);
+        let field = Controlled { field: &still, control: &control };
+        let bracket = DoubleBracket {
+            space,
+            field: &field,
+            friction: 0.1,
+            inner_product: InnerProduct::euclidean(),
+        };
+        let gilbert = GilbertDamping::new(space, &bracket, 0.1).unwrap();
+        let nested = Controlled { field: &control, control: &gilbert };
+        let fields: [&dyn OrbitField<LiePoisson<So3>>; 5] =
+            [&control, &field, &bracket, &gilbert, &nested];
+        for field in fields {
+            prop_assert_eq!(field.next_break(time, forward), expected);
+        }
+        let still: &dyn OrbitField<LiePoisson<So3>> = &still;
+        prop_assert_eq!(still.next_break(time, forward), None);
+    }
+}
+
+/// Returns the laws that do not hold.
+fn broken(report: &Report) -> Vec<&'static str> {
+    let residuals = report.residuals().iter();
+    residuals.filter(|(_, x)| x.is_nan() || *x > TOLERANCE).map(|(law, _)| *law).collect()
+}
+
+/// The field (1, |t| or 0, 0) with a kink at 0, and one thing wrong.
+#[derive(Clone, Copy, PartialEq)]
+enum Kink {
+    Sound,
+    /// The field changes where its derivatives are sought.
+    OtherOverDualNumbers,
+    /// The kink is told in one direction of time alone.
+    OneWay,
+    /// The break is no later than the time.
+    StandsStill,
+    /// The break is elsewhere.
+    Elsewhere,
+}
+
+impl<T: Real> OrbitField<LiePoisson<So3>, T> for Kink {
+    fn element(&self, _: &Covector<Vector3<T>>, time: T) -> Vector3<T> {
+        let is_other = *self == Self::OtherOverDualNumbers && time.as_f64().is_none();
+        let first = T::from_f64(if is_other { 1.5 } else { 1.0 });
+        Vector3::new(first, time.select_nonnegative(time, -time), T::zero())
+    }
+
+    fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        match self {
+            Self::OneWay if !forward => None,
+            Self::StandsStill => Some(time),
+            Self::Elsewhere => Some(0.1).filter(|t| if forward { *t > time } else { *t < time }),
+            _ => Some(0.0).filter(|t| if forward { *t > time } else { *t < time }),
+        }
+    }
+}
+
+#[test]
+fn laws_of_orbit_fields_reject_what_breaks_them() {
+    let space = LiePoisson::minus(So3);
+    let cases: [(Kink, &[&str]); 5] = [
+        (Kink::Sound, &[]),
+        (Kink::OtherOverDualNumbers, &["dual numbers"]),
+        (Kink::OneWay, &["breaks"]),
+        (Kink::StandsStill, &["breaks", "smoothness"]),
+        (Kink::Elsewhere, &["smoothness"]),
+    ];
+    for (field, expected) in cases {
+        let report = laws::orbit_field(&space, &field, (-1.0, 1.5), &samples()).unwrap();
+        assert_eq!(broken(&report), expected);
+    }
+    // A kink need not be told where it is not reached.
+    let report = laws::orbit_field(&space, &Kink::Elsewhere, (0.2, 1.5), &samples()).unwrap();
+    assert_eq!(broken(&report), [""; 0]);
+    let wrong = LiePoisson::minus(Faulty::new(&So3, "casimir_differential", 1));
+    let report = laws::orbit_field(&wrong, &Still, (0.0, 1.0), &samples()).unwrap();
+    assert_eq!(broken(&report), ["tangent to orbits"]);
+    assert!(laws::orbit_field(&space, &Kink::Sound, (0.0, 1.0), &[]).is_err());
+}
+
+/// The constant field e₃ on any algebra.
+struct Still;
+
+impl<A: LieAlgebra, T: Real> OrbitField<LiePoisson<A>, T> for Still {
+    fn element(&self, _: &Momentum<A, T>, _: T) -> A::Element<T> {
+        Vector::basis(2)
+    }
+}
+
+/// Inputs that tell no breaks are refused, whatever their interpolation: the third derivative of a spline jumps.
+#[test]
+fn silent_inputs_are_refused() {
+    let space = LiePoisson::minus(So3);
+    let mut last = f64::INFINITY;
+    for interpolation in [Interpolation::Constant, Interpolation::Linear, Interpolation::Cubic] {
+        let inputs: Inputs<Vector3<f64>> = inputs(PLAIN, interpolation);
+        let check =
+            |inputs: Faulty<_>| laws::orbit_field(&space, &inputs, (0.0, 3.0), &samples()).unwrap();
+        holds(check(Faulty::without_fault(&inputs)));
+        let jump = check(Faulty::new(&inputs, "next_break", 0)).residual("smoothness").unwrap();
+        assert!(jump < last && jump > 1e-9, "{interpolation}: {jump}");
+        last = jump;
+    }
+}
+
+/// A field, and μ, along which nothing moves on so(3)∗.
+struct Extra<X>(X);
+
+impl<T: Real, X: OrbitField<LiePoisson<So3>, T>> OrbitField<LiePoisson<So3>, T> for Extra<X> {
+    fn element(&self, mu: &Covector<Vector3<T>>, time: T) -> Vector3<T> {
+        self.0.element(mu, time) + mu.0
+    }
+}
+
+#[test]
+fn laws_of_double_brackets_reject_what_breaks_them() {
+    const BOTH: [&str; 2] = ["loss of energy", "linear in the friction"];
+    let space = LiePoisson::minus(So3);
+    let h = from_closure::<LiePoisson<So3>, _>(quadratic);
+    let [euclidean, weighted] = [InnerProduct::euclidean(), weighted(3)];
+    let of = |inner_product: &InnerProduct, friction: f64| {
+        let inner_product = inner_product.clone();
+        DoubleBracket { space, field: Autonomous(&h), friction, inner_product }
+    };
+    // The friction is factor · θ^power.
+    let cases: [(f64, i32, &InnerProduct, &[&str]); 4] = [
+        (1.0, 1, &weighted, &[]),
+        (-1.0, 1, &weighted, &BOTH),
+        (1.0, 2, &weighted, &BOTH),
+        (1.0, 1, &euclidean, &BOTH),
+    ];
+    for (factor, power, inner_product, expected) in cases {
+        let field = |friction: f64| of(inner_product, factor * friction.powi(power));
+        let report = laws::double_bracket(&space, &h, &weighted, field, 0.7, &samples());
+        assert_eq!(broken(&report.unwrap()), expected);
+    }
+    let none = laws::double_bracket(&space, &h, &weighted, |theta| of(&weighted, theta), 0.7, &[]);
+    assert!(none.is_err());
+    let extra = |friction| Extra(of(&weighted, friction));
+    let report = laws::double_bracket(&space, &h, &weighted, extra, 0.7, &samples());
+    assert_eq!(broken(&report.unwrap()), ["linear in the friction"]);
+    // With Λ that is not antisymmetric the energy does something else.
+    let algebra = Faulty::new(&So3, "coadjoint", 1);
+    let space = LiePoisson::minus(algebra);
+    let h = from_closure::<LiePoisson<Faulty<So3>>, _>(quadratic);
+    let field = |friction| DoubleBracket {
+        space: space.clone(),
+        field: Autonomous(&h),
+        friction,
+        inner_product: weighted.clone(),
+    };
+    let report = laws::double_bracket(&space, &h, &weighted, field, 0.7, &samples());
+    assert_eq!(broken(&report.unwrap()), ["loss of energy"]);
+}
