@@ -49,6 +49,7 @@
 //! | collective dynamics without a lift | [`Multipliers`]: [`Quaternions`], [`DualQuaternions`], [`ComplexMatrices`] |
 //! | so(3)∗ from C² | [`HOPF`] |
 //! | se(3)∗ from T∗R³ | [`PARTICLE`] |
+//! | (so(3) ⋉ (R³ ⊕ R³))∗ from T∗(R³ ⊕ R³) | [`TWO_FIELDS`] |
 //! | sl(2, R)∗ from R⁴, and u(N)∗ from C^N | [`Sl2Realisation`], [`unitary_realisation`] |
 //! | 𝔤∗ of any algebra from T∗𝔤, from structure constants alone, with a lift | [`ClebschMap`], [`clebsch_realisation`] |
 //! | tests of your own types against the laws | the module `laws` (feature `laws`) |
@@ -64,6 +65,7 @@
 //! | so(3)∗, plus | `QuadraticMomentumMap::new(So3OnC2, Side::Left)`, C² | Π ≠ 0 | — |
 //! | se(3)∗, minus | `heavytop::SpinorRealisation`, T∗C² | Γ ≠ 0 | [`DualQuaternions`] |
 //! | se(3)∗, minus | [`PARTICLE`], T∗R³ | Π·Γ = 0, Γ ≠ 0 | [`DualQuaternions`] |
+//! | (so(3) ⋉ (R³ ⊕ R³))∗, minus | [`TWO_FIELDS`], T∗(R³ ⊕ R³) | Γ₁ and Γ₂ not parallel | — |
 //! | sl(2, R)∗ | [`Sl2Realisation`], R⁴ | the orbits that its two forms choose | — |
 //! | u(N)∗, minus | [`unitary_realisation`], C^N, or a [`PowerMap`] of it for a higher rank | rank 1, positive | [`ComplexMatrices`] |
 //! | u(N)∗, N known at run time | — | — | the crate `isospectral-flows` |
@@ -137,7 +139,7 @@ pub use phase_spaces::hopf_fibration::{hopf_map, hopf_pull_back, hopf_section, p
 pub use phase_spaces::symplectic::{SymplecticComplexSpace, SymplecticSpace};
 pub use realisations::{
     Fibres, HOPF, HopfRealisation, PARTICLE, ParticleRealisation, PlaneForm, Realisation,
-    Sl2Realisation, UnitaryRealisation, unitary_realisation,
+    Sl2Realisation, TWO_FIELDS, TwoFieldRealisation, UnitaryRealisation, unitary_realisation,
 };
 
 pub use lie_poisson;

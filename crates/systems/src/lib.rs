@@ -1,4 +1,4 @@
-//! Lie–Poisson systems other than the heavy top: gyrostat, body in a fluid, point vortices, spin chain, spin lattice,
+//! Lie–Poisson systems other than the heavy top: gyrostat, satellite, body in a fluid, point vortices, spin chain, spin lattice,
 //! elliptical vortex and top on a movable base, each a Hamiltonian for the integrators of `collective-integrators`;
 //! rigid bodies in N dimensions and fluids on the sphere, for those of `isospectral-flows`.
 //!
@@ -31,6 +31,9 @@
 //! | when you need | use |
 //! |---|---|
 //! | a heavy body with a spinning rotor, on se(3)∗ | [`Gyrostat`] |
+//! | a satellite in the gradient of gravity, on a circular orbit, on (so(3) ⋉ (R³)²)∗ | [`Satellite`], [`SatelliteAlgebra`] |
+//! | the same on an elliptic orbit, with the time | [`SatelliteOnEllipse`], [`KeplerOrbit`] |
+//! | a body whose motors turn reaction wheels, on so(3)∗ with the time | [`ReactionWheels`], [`WheelMomenta`] |
 //! | a rigid body in an ideal fluid, on se(3)∗ | [`Kirchhoff`] |
 //! | point vortices on the sphere, on (so(3)∗)ᴺ | [`PointVortices`] |
 //! | point vortices whose number is known only at run time | [`ManyVortices`] |
@@ -56,6 +59,8 @@
 //! | [`HeisenbergChain`] | plus | `PowerMap(QuadraticMomentumMap::new(So3OnC2, Side::Left))` | |
 //! | [`KidaVortex`] | plus | [`clebsch_realisation`](momentum_map::clebsch_realisation) on T∗so(2, 1) | |
 //! | [`MovableBaseTop`] | minus | [`clebsch_realisation`](momentum_map::clebsch_realisation) on T∗(se(3) ⋉ R³) | |
+//! | [`Satellite`], [`SatelliteOnEllipse`] | minus | [`TWO_FIELDS`](momentum_map::TWO_FIELDS) | |
+//! | [`ReactionWheels`] | minus | `HOPF` | |
 //! | [`SpinLattice`] | plus | `ProductMap` of that map and `Identity` of T∗Rᴺ | |
 //!
 //! # Conventions
@@ -85,6 +90,7 @@
 mod error;
 mod spaces;
 mod gyrostat;
+mod satellite;
 mod body_in_fluid;
 mod vortices;
 mod spin_chain;
@@ -105,6 +111,11 @@ pub use kida_vortex::lorentz_algebra::So21;
 pub use movable_base::top_on_base::{
     MovableBaseAlgebra, MovableBaseDual, MovableBaseElement, MovableBaseTop,
 };
+pub use satellite::gravity_gradient::{SatelliteAlgebra, SatelliteDual, SatelliteElement};
+pub use satellite::kepler_orbit::KeplerOrbit;
+pub use satellite::on_circle::Satellite;
+pub use satellite::on_ellipse::SatelliteOnEllipse;
+pub use satellite::reaction_wheels::{ReactionWheels, WheelMomenta};
 pub use spaces::spin_space::{SpinSpace, Spins};
 pub use spin_chain::heisenberg_chain::HeisenbergChain;
 pub use spin_lattice::heisenberg_lattice::HeisenbergLattice;

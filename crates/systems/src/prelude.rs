@@ -21,9 +21,10 @@
 #[cfg(feature = "isospectral")]
 pub use crate::{GeneralisedRigidBody, VorticityCoefficients, Zeitlin};
 pub use crate::{
-    Gyrostat, HeisenbergChain, HeisenbergLattice, KidaVortex, Kirchhoff, LatticeMidpoint,
-    ManyVortices, MovableBaseTop, PointVortices, So21, SpinLattice, SpinLatticeSpace, SpinSpace,
-    Spins, SystemError,
+    Gyrostat, HeisenbergChain, HeisenbergLattice, KeplerOrbit, KidaVortex, Kirchhoff,
+    LatticeMidpoint, ManyVortices, MovableBaseTop, PointVortices, ReactionWheels, Satellite,
+    SatelliteAlgebra, SatelliteOnEllipse, So21, SpinLattice, SpinLatticeSpace, SpinSpace, Spins,
+    SystemError, WheelMomenta,
 };
 pub use collective_integrators::{
     Collective, Integrator, LiftFree, RungeKutta, SphericalMidpoint, Start,
@@ -35,6 +36,6 @@ pub use lie_poisson::{
 };
 pub use momentum_map::{
     Cotangent, CotangentBundle, DualQuaternions, HOPF, Identity, PowerMap, PowerMultipliers,
-    ProductMap, QuadraticMomentumMap, Quaternions, Side, So3OnC2,
+    ProductMap, QuadraticMomentumMap, Quaternions, Side, So3OnC2, TWO_FIELDS,
 };
 pub use nalgebra::{Matrix3, Vector3};

@@ -33,6 +33,7 @@ fn the_paper_s_maps_are_poisson() {
 fn the_other_realisations_are_poisson() {
     assert!(is_poisson(&HOPF));
     assert!(is_poisson(&PARTICLE));
+    assert!(is_poisson(&TWO_FIELDS));
     assert!(is_poisson(&unitary_realisation::<3>()));
     assert!(is_poisson(&QuadraticMomentumMap::new(Sum(SL2OnR2, Reversed(SL2OnR2)), Side::Left)));
     assert!(is_poisson(&PowerMap::<_, 2>(HOPF)));

@@ -2,12 +2,13 @@
 
 use core::fmt::Debug;
 use lie_poisson::{
-    Covector, DefaultLanes, Lanes, SL2OnR2, Se3Dual, State, Sum, Vector, map_coordinates,
+    Covector, DefaultLanes, Lanes, Pair, Power, SL2OnR2, Se3Dual, State, Sum, Vector,
+    map_coordinates,
 };
 use momentum_map::{
     Cotangent, HOPF, HopfRealisation, Lift, LiftError, PARTICLE, PoissonMap, QuadraticMomentumMap,
-    RecentringWorkspace, Reversed, Side, So3OnC2, SourcePoint, TargetPoint, UnitaryRealisation,
-    hopf_map, hopf_section, unitary_realisation,
+    RecentringWorkspace, Reversed, Side, So3OnC2, SourcePoint, TWO_FIELDS, TargetPoint,
+    UnitaryRealisation, hopf_map, hopf_section, unitary_realisation,
 };
 use nalgebra::{SVector, Vector3};
 use num_complex::Complex;
@@ -87,6 +88,8 @@ fn realisations_lift_every_size() {
         for other in SIZES.into_iter().filter(|other| (1e-290..1e290).contains(&(size / other))) {
             let (along, across) = (Vector3::x(), Vector3::new(0.0, 1.0, 1.0));
             lifts(&PARTICLE, &Se3Dual::new(across * size, along * other));
+            let seen = Power([along * other, across * other]);
+            lifts(&TWO_FIELDS, &Covector(Pair(Vector3::new(0.3, 1.0, -0.6) * size, seen)));
         }
     }
 }
@@ -123,6 +126,8 @@ fn reasons_name_what_is_wrong() {
     contains(reason(&HOPF, &Covector(Vector3::zeros())), "different from 0");
     let zero = Se3Dual::new(Vector3::x(), Vector3::zeros());
     contains(reason(&PARTICLE, &zero), "Γ must be different from 0");
+    let parallel = Covector(Pair(Vector3::x(), Power([Vector3::z(); 2])));
+    contains(reason(&TWO_FIELDS, &parallel), "not parallel (|sin(Γ₁, Γ₂)| = 0e0)");
     let none = TargetPoint::<UnitaryRealisation<2>>::zero();
     contains(reason(&unitary_realisation::<2>(), &none), "H must be different from 0");
     let huge = Vector3::new(1.0, 1.0, 1.0) * 1.5e308;

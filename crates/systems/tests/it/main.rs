@@ -5,5 +5,6 @@ mod all_systems;
 mod bodies;
 mod fluids;
 mod laws;
+mod satellite;
 mod spins;
 mod vortices;

@@ -88,6 +88,7 @@ fn realisations() {
         realisation_laws(&QuadraticMomentumMap::new(negative, side));
     }
     realisation_laws(&PARTICLE);
+    realisation_laws(&TWO_FIELDS);
     realisation_laws(&PowerMap::<_, 1>(HOPF));
     realisation_laws(&PowerMap::<_, 3>(HOPF));
     realisation_laws(&PowerMap::<_, 12>(HOPF));
@@ -146,6 +147,11 @@ fn momenta_outside_the_image_have_no_lift() {
     assert!(HOPF.lift::<f64>(&zero).is_err());
     let up = Se3Dual::new(Vector3::z(), Vector3::z());
     assert!(PARTICLE.lift::<f64>(&up).is_err());
+    let seen = |second| Covector(Pair(Vector3::x(), Power([Vector3::z(), second])));
+    for parallel in [Vector3::z(), Vector3::z() * -3.0, Vector3::zeros()] {
+        assert!(TWO_FIELDS.lift::<f64>(&seen(parallel)).is_err());
+    }
+    assert!(TWO_FIELDS.lift::<f64>(&seen(Vector3::new(1e-9, 0.0, 1.0))).is_ok());
     let unitary = unitary_realisation::<2>();
     // The nearest matrix of rank one lacks half of this one, in any unit.
     for size in [1.0, 3.0, 1e-200, 1e200] {

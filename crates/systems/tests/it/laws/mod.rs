@@ -9,6 +9,7 @@ mod field_laws;
 mod gallery_sources;
 mod law_samples;
 mod matrix_laws;
+mod satellite_laws;
 mod spin_laws;
 mod suites_with_controls;
 mod vortex_laws;
