@@ -210,7 +210,7 @@ where
             xi = self.field.element(&mu, time);
         }
         if !weights.is_empty() {
-            xi = xi + self.noise.element(&mu, time, weights);
+            xi += self.noise.element(&mu, time, weights);
         }
         let rate = Vector1::new(T::from_f64(drift / self.interval));
         Pair(self.map.generator::<T>(&xi, z), Pair(Vector1::new(T::zero()), rate))

@@ -3,12 +3,13 @@
 use super::refused;
 use collective_integrators::diagnostics::{Drift, EnsembleGrowth, fitted_order, step_map};
 use collective_integrators::{
-    Collective, DenseOutput, Direct, Direction, Events, FirstHalf, Integrator, LyapunovExponents,
-    PartitionedRungeKutta, RungeKutta, StageSolver, Start, StepError, Substeps, Tableau,
-    VectorField,
+    BrownianPaths, Collective, DenseOutput, Direct, Direction, Events, FirstHalf, Integrator,
+    LyapunovExponents, PartitionedRungeKutta, RungeKutta, StageSolver, Start, StepError, Substeps,
+    Tableau, TorqueFlow, Torqued, VectorField,
 };
 use heavytop::{HeavyTop, SpinorRealisation};
 use lie_poisson::{Real, Se3Dual};
+use momentum_map::PARTICLE;
 
 use nalgebra::{Vector1, Vector3};
 use workspace_tests::tops;
@@ -39,6 +40,16 @@ impl<T: Real> VectorField<T> for Saturating {
     }
 }
 
+/// The torque F = Γ, which takes Π out of the plane across Γ.
+struct AlongGamma;
+
+impl TorqueFlow<Se3Dual> for AlongGamma {
+    fn flow(&self, mu: &mut Se3Dual, step: f64) -> Result<(), StepError> {
+        mu.0.0 += mu.0.1 * step;
+        Ok(())
+    }
+}
+
 const RK4: fn() -> Direct<RungeKutta, Square> = || Direct::new(RungeKutta::rk4(), Square);
 
 /// Returns the reason why the step of this number fails from x, in a run that continues after `made` steps.
@@ -58,6 +69,10 @@ pub fn steps_and_schemes() -> Vec<String> {
     let hasty = StageSolver { max_iterations: 1, newton: false, ..StageSolver::default() };
     let hasty = Direct::new(RungeKutta::implicit_midpoint().with_solver(hasty), Square);
     let midpoint = || Tableau::gauss(1).unwrap();
+    let across = Se3Dual::new(Vector3::x(), Vector3::z());
+    let top = HeavyTop::kovalevskaya(1.0, 1.0).unwrap();
+    let particle = Collective::new(RungeKutta::implicit_midpoint(), PARTICLE, top);
+    let torqued = Torqued::new(particle, AlongGamma);
     let astray = Direct::new(RungeKutta::implicit_midpoint(), Saturating);
     assert!(failure(&astray, 1.0, (0, 0.4), 1).is_ok());
     vec![
@@ -67,6 +82,9 @@ pub fn steps_and_schemes() -> Vec<String> {
         refused(failure(&rk4, f64::NAN, (0, 0.1), 0)),
         refused(failure(&rk4, 1.0, (0, f64::INFINITY), 0)),
         refused(failure(&rk4, 0.0, (u64::MAX, 0.1), 1)),
+        refused(torqued.step(&across, 0.1, &mut torqued.workspace())),
+        refused(BrownianPaths::new(1, 0.0)),
+        refused(BrownianPaths::new(1, 0.1).unwrap().with_bound(0.5)),
         refused(RungeKutta::gauss(0)),
         refused(Tableau::new(&[1.0], &[0.5, 0.5])),
         refused(Tableau::new(&[f64::NAN], &[1.0])),

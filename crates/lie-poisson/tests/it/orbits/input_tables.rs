@@ -2,7 +2,7 @@
 
 use InputTableError::{DifferentLengths, NotFinite, NotIncreasing, Outside, TooShort, TooSteep};
 use lie_poisson::*;
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
 const ALL: [Interpolation; 3] =
@@ -244,22 +244,4 @@ fn names_of_interpolations() {
     }
     assert_eq!(Interpolation::NAMES.len(), ALL.len());
     assert!("Cubic".parse::<Interpolation>().is_err());
-}
-
-#[test]
-fn elements_of_inputs_that_are_no_numbers_are_refused() {
-    let table = InputTable::new(vec![0.0, 1.0], vec![2.0, 3.0], Interpolation::Linear).unwrap();
-    let with = |xi| Inputs::new(vec![(Vector3::x(), table.clone()), (xi, table.clone())]);
-    let error = with(Vector3::new(0.0, 0.0, f64::INFINITY)).unwrap_err();
-    assert_eq!(error, InputsError::NotFinite { input: 2, coordinate: 3, number: f64::INFINITY });
-    assert!(with(Vector3::new(f64::NAN, 0.0, 0.0)).is_err());
-    let inputs = with(Vector3::y()).unwrap();
-    assert_eq!(inputs.require_until(1.0, 0.0), Ok(()));
-    assert_eq!(inputs.require_until(0.0, 1.5), table.require_until(0.0, 1.5));
-    let at = |inputs: &Inputs<_>, t| {
-        OrbitField::<LiePoisson<So3>>::element(inputs, &Covector(Vector3::zeros()), t)
-    };
-    assert_eq!(at(&inputs, 0.5), Vector3::new(2.5, 2.5, 0.0));
-    assert!(at(&inputs, 1.5).x.is_nan());
-    assert_eq!(at(&Inputs::new(vec![]).unwrap(), 7.0), Vector3::zeros());
 }

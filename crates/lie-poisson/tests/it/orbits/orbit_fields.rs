@@ -123,33 +123,6 @@ proptest! {
         laws_hold(LiePoisson::new(ProductAlgebra(So3, So3), sign), &numbers, units, kind);
         laws_hold(LiePoisson::new(UnitaryAlgebra::<3>, sign), &numbers, units, kind);
     }
-
-    /// Breaks of a sum are those of its parts, in the order of time, and every wrapper tells those of its field.
-    #[test]
-    fn breaks_are_told_by_all_fields(time in -2.0..5.0_f64, forward: bool) {
-        let control: Inputs<Vector3<f64>> = inputs(PLAIN, Interpolation::Constant);
-        let still = Autonomous(from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.y));
-        let mut times = vec![-1.0, 0.0, 0.4, 1.0, 2.0, 3.0, 4.0];
-        times.retain(|t| if forward { *t > time } else { *t < time });
-        let expected = if forward { times.first() } else { times.last() }.copied();
-        let space = LiePoisson::minus(So3);
-        let field = Controlled { field: &still, control: &control };
-        let bracket = DoubleBracket {
-            space,
-            field: &field,
-            friction: 0.1,
-            inner_product: InnerProduct::euclidean(),
-        };
-        let gilbert = GilbertDamping::new(space, &bracket, 0.1).unwrap();
-        let nested = Controlled { field: &control, control: &gilbert };
-        let fields: [&dyn OrbitField<LiePoisson<So3>>; 5] =
-            [&control, &field, &bracket, &gilbert, &nested];
-        for field in fields {
-            prop_assert_eq!(field.next_break(time, forward), expected);
-        }
-        let still: &dyn OrbitField<LiePoisson<So3>> = &still;
-        prop_assert_eq!(still.next_break(time, forward), None);
-    }
 }
 
 /// Returns the laws that do not hold.

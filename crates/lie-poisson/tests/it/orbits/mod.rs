@@ -1,0 +1,6 @@
+//! Fields whose motions stay on coadjoint orbits: inputs, controls and damping.
+
+mod controls;
+mod input_tables;
+mod orbit_fields;
+mod spin_damping;
