@@ -4,6 +4,7 @@
 mod all_systems;
 mod bodies;
 mod fluids;
+mod law_samples;
 mod laws;
 mod satellite;
 mod spins;

@@ -1,7 +1,7 @@
 //! The law suites of bodies: the gyrostat, the body in a fluid and the top on a movable base.
 
-use super::law_samples::{ENERGY_OF_ORDER_FOUR, ROUND_OFF, ROUND_OFF_OF_RUNS, STEP, samples};
 use super::suites_with_controls::{holds, obeys};
+use crate::law_samples::{ENERGY_OF_ORDER_FOUR, ROUND_OFF, ROUND_OFF_OF_RUNS, STEP, samples};
 use lie_poisson_systems::collective_integrators::{Collective, LiftFree, RungeKutta, Start, laws};
 use lie_poisson_systems::lie_poisson::laws::{hamiltonian, lie_algebra, poisson_space};
 use lie_poisson_systems::lie_poisson::{

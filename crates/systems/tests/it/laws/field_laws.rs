@@ -1,7 +1,7 @@
 //! Laws of equations of motion, for which the crates below have no suite of their own: the fields of the gallery are the
 //! Hamiltonian vector fields of their energies.
 
-use super::law_samples::Spins;
+use crate::law_samples::Spins;
 use lie_poisson_systems::collective_integrators::VectorField;
 use lie_poisson_systems::isospectral_flows::{IsospectralField, LargeSkewHermitian};
 use lie_poisson_systems::lie_poisson::laws::{Faulty, NoSamples, Report, regimes};

@@ -1,8 +1,8 @@
 //! The law suites of matrices: rigid bodies in N dimensions and fluids on the sphere.
 
 use super::field_laws::generator;
-use super::law_samples::{ENERGY_OF_ORDER_TWO, ROUND_OFF, ROUND_OFF_OF_RUNS, SHORT_STEP};
 use super::suites_with_controls::{holds, obeys};
+use crate::law_samples::{ENERGY_OF_ORDER_TWO, ROUND_OFF, ROUND_OFF_OF_RUNS, SHORT_STEP};
 use core::f64::consts::PI;
 use lie_poisson::State;
 use lie_poisson_systems::collective_integrators::{AnyState, Direct, RungeKutta, laws};

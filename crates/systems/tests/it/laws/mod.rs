@@ -7,7 +7,6 @@ mod body_laws;
 mod every_system;
 mod field_laws;
 mod gallery_sources;
-mod law_samples;
 mod matrix_laws;
 mod satellite_laws;
 mod spin_laws;

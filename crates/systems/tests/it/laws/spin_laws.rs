@@ -1,11 +1,11 @@
 //! The law suites of spins: in a row, on atoms in motion, and on a lattice.
 
 use super::field_laws::{differences, sites_field};
-use super::law_samples::{
+use super::suites_with_controls::{holds, obeys};
+use crate::law_samples::{
     ENERGY_OF_ORDER_FOUR, ENERGY_OF_ORDER_TWO, ROUND_OFF, ROUND_OFF_OF_RUNS, SHORT_STEP, STEP,
     Spins as Lattice, samples, spiral,
 };
-use super::suites_with_controls::{holds, obeys};
 use lie_poisson_systems::collective_integrators::{
     Collective, Integrator, RungeKutta, SphericalMidpoint, Start, laws,
 };

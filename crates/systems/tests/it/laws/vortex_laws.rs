@@ -1,11 +1,11 @@
 //! The law suites of vortices: on the sphere, few and many, and the elliptical one.
 
 use super::field_laws::sites_field;
-use super::law_samples::{
+use super::suites_with_controls::{holds, obeys};
+use crate::law_samples::{
     ENERGY_OF_ORDER_FOUR, ENERGY_OF_ORDER_TWO, ROUND_OFF, ROUND_OFF_OF_RUNS, SHORT_STEP, STEP,
     Spins, samples, spiral,
 };
-use super::suites_with_controls::{holds, obeys};
 use lie_poisson_systems::collective_integrators::{
     Collective, LiftFree, RungeKutta, SphericalMidpoint, Start, laws,
 };
