@@ -51,8 +51,11 @@ pub enum StepError {
     )]
     NotFinite,
     /// A torque has taken the momentum to a value that no state represents.
-    #[error("the torque takes the momentum to a value that no state represents: {0}")]
-    Lift(LiftError),
+    #[error("the torque takes the momentum to a value that no state represents: {reason}")]
+    NoLift {
+        /// Why there is no state.
+        reason: &'static str,
+    },
     /// A coordinate of the initial state or momentum is infinite or not a number.
     #[error("coordinate {coordinate} of the start must be finite, its size is {size}")]
     NotFiniteStart {

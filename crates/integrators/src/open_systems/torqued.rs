@@ -6,6 +6,7 @@ use crate::integrators::trajectories::integrator::Integrator;
 use crate::integrators::trajectories::start::Start;
 use crate::schemes::scheme::Step;
 use lie_poisson::{Real, State};
+use momentum_map::LiftError;
 
 /// The flow of a torque alone, dμ/dt = F(μ, t).
 ///
@@ -110,7 +111,8 @@ impl<T: Real, I: Start<T>, F: TorqueFlow<I::Momentum>> Integrator<T> for Torqued
     ) -> Result<Step<I::Momentum>, StepError> {
         let mut mu = state.clone();
         self.torque.flow(&mut mu, 0.5 * step)?;
-        let lifted = self.integrator.start(&mu).map_err(StepError::Lift)?;
+        let lifted = self.integrator.start(&mu);
+        let lifted = lifted.map_err(|LiftError { reason, .. }| StepError::NoLift { reason })?;
         // The lift before was another point of its fibre.
         self.integrator.forget(workspace);
         let Step { point, iterations } = self.integrator.step(&lifted, step, workspace)?;

@@ -54,7 +54,7 @@ pub trait Noise<P: PoissonSpace, T: Real = f64> {
 /// ```
 /// use lie_poisson::{InnerProduct, IsotropicNoise, NoiseError};
 /// let noise = IsotropicNoise::thermal(InnerProduct::euclidean(), 3, (0.5, 2.0))?;
-/// assert_eq!(noise.strength, 2.0_f64.sqrt()); // √(2θkT)
+/// assert!((noise.strength - 2.0_f64.sqrt()).abs() < 1e-15); // √(2θkT)
 /// let refused = IsotropicNoise::thermal(InnerProduct::euclidean(), 3, (0.5, -2.0));
 /// assert_eq!(refused, Err(NoiseError::Temperature { temperature: -2.0 }));
 /// # Ok::<(), NoiseError>(())

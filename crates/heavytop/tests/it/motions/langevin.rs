@@ -1,7 +1,7 @@
 //! A heavy top at a temperature, against quadratures of its Gibbs measure.
 
 use collective_integrators::{BrownianPaths, Integrator, Noisy, RungeKutta, Start};
-use heavytop::{HeavyTop, SpinorRealisation};
+use heavytop::{Body, HeavyTop, SpinorRealisation};
 use lie_poisson::{
     Autonomous, Covector, DoubleBracket, InnerProduct, IsotropicNoise, LiePoisson, Pair, Se3,
 };
@@ -16,7 +16,8 @@ const STEP: f64 = 0.05;
 fn means(steps: u64) -> ([(f64, f64); 4], [f64; 2]) {
     const BLOCKS: u64 = 50;
     let (inertia, centre) = (Vector3::new(2.0, 1.5, 1.0), Vector3::new(0.6, 0.0, 0.8));
-    let top = HeavyTop::from_moment(inertia, 1.0, centre).unwrap();
+    let body = Body { inertia, mass: 1.0, gravity: 1.0, length: 1.0, center_of_mass: centre };
+    let top = HeavyTop::new(&body).unwrap();
     let inner_product = InnerProduct::euclidean();
     let noise = IsotropicNoise::thermal(inner_product.clone(), 6, (FRICTION, TEMPERATURE)).unwrap();
     let space = LiePoisson::minus(Se3::default());
