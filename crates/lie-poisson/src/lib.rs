@@ -142,7 +142,7 @@ pub use brackets::product_space::{PowerSpace, ProductSpace, from_parts, parts};
 pub use brackets::sites_hamiltonian::SitesHamiltonian;
 pub use orbits::control::{Controlled, Inputs, InputsError};
 pub use orbits::double_bracket::DoubleBracket;
-pub use orbits::gilbert_damping::{GilbertDamping, GilbertDampingError, SpinSpace};
+pub use orbits::gilbert_damping::{GilbertDamping, GilbertDampingError, SpaceOfSpins};
 pub use orbits::inner_product::{InnerProduct, InnerProductError};
 pub use orbits::input_table::{InputTable, InputTableError};
 pub use orbits::interpolation::{Interpolation, UnknownInterpolation};

@@ -1,7 +1,7 @@
 //! Motions that are driven, damped, noisy or forced, with the time as a coordinate of the state.
 
 mod philox;
-pub(crate) mod smooth_pieces;
+mod smooth_pieces;
 pub(crate) mod brownian_paths;
 pub(crate) mod noise_rule;
 pub(crate) mod driven_field;

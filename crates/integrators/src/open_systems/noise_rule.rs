@@ -4,6 +4,9 @@ use crate::error::StepError;
 use lie_poisson::Real;
 use smallvec::{SmallVec, smallvec};
 
+/// The number of fields of a noise up to which a step allocates nothing.
+pub(super) const MOST_FIELDS: usize = 16;
+
 /// How noise enters a step of a motion dz = X(z, t) dt + Σ_k `Y_k`(z, t) ∘ dW_k, in Stratonovich's sense, that a scheme makes.
 ///
 /// Source of the second: Ninomiya & Victoir, *Weak approximation of stochastic differential equations and application to
@@ -15,25 +18,25 @@ pub enum NoiseRule {
     #[default]
     Together,
     /// Half a step of the drift X, the fields of the noise one after the other, in this order or the reverse one with equal
-    /// probability, and half a step of the drift. The weak order is 2, if that of the scheme is 2 or more.
+    /// probability, and half a step of the drift. The weak order is 2 if that of the scheme is 4 or more: the fields of the noise act
+    /// for times of the size √h, so that the midpoint rule leaves the weak order 1.
     Alternating,
 }
 
 /// A part of a step, in which the field is a X + Σ_k w_k `Y_k`.
 #[derive(Clone, Copy, Debug)]
-pub struct NoisePart<'a, T> {
+pub(super) struct NoisePart<'a, T> {
     /// The number a.
-    pub drift: f64,
+    pub(super) drift: f64,
     /// The weights w_k; none if all are 0.
-    pub weights: &'a [T],
+    pub(super) weights: &'a [T],
     /// The size of the part.
-    pub step: f64,
+    pub(super) step: f64,
 }
 
 impl NoiseRule {
     /// Returns the number of components of a Brownian path that a step needs for noise with so many fields.
-    #[must_use]
-    pub const fn components(self, fields: usize) -> usize {
+    pub(super) const fn components(self, fields: usize) -> usize {
         match self {
             Self::Together => fields,
             // The sign of the last one is the order of the fields.
@@ -47,7 +50,7 @@ impl NoiseRule {
     /// # Errors
     /// That of the part that fails.
     #[inline]
-    pub fn parts<T: Real>(
+    pub(super) fn parts<T: Real>(
         self,
         increments: &[T],
         step: f64,
@@ -56,14 +59,15 @@ impl NoiseRule {
         let rate = |increment: &T| *increment / step;
         match (self, increments.split_last()) {
             (Self::Together, _) => {
-                let weights: SmallVec<[T; 8]> = increments.iter().map(rate).collect();
+                let weights: SmallVec<[T; MOST_FIELDS]> = increments.iter().map(rate).collect();
                 part(NoisePart { drift: 1.0, weights: &weights, step })
             }
             (Self::Alternating, None) => part(NoisePart { drift: 1.0, weights: &[], step }),
             (Self::Alternating, Some((coin, increments))) => {
                 let half = NoisePart { drift: 1.0, weights: &[], step: 0.5 * step };
                 let mut iterations = part(half)?;
-                let mut weights: SmallVec<[T; 8]> = smallvec![T::zero(); increments.len()];
+                let mut weights: SmallVec<[T; MOST_FIELDS]> =
+                    smallvec![T::zero(); increments.len()];
                 let pairs = increments.iter().zip(increments.iter().rev()).enumerate();
                 for (k, (forward, backward)) in pairs {
                     // Lanes may go through the fields in different orders.

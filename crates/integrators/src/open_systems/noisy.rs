@@ -5,7 +5,7 @@ use crate::integrators::collective::{Collective, SpaceOf};
 use crate::integrators::trajectories::integrator::Integrator;
 use crate::integrators::trajectories::start::Start;
 use crate::open_systems::brownian_paths::BrownianPaths;
-use crate::open_systems::noise_rule::{NoisePart, NoiseRule};
+use crate::open_systems::noise_rule::{MOST_FIELDS, NoisePart, NoiseRule};
 use crate::open_systems::smooth_pieces::{Window, smooth_pieces};
 use crate::schemes::scheme::{Equivariant, Scheme, Step};
 use crate::vector_field::VectorField;
@@ -28,7 +28,7 @@ pub type PathAndTime<T> = Pair<Vector1<T>, Vector1<T>>;
 ///
 /// in Stratonovich's sense, so that dμ = Λξ dt + Σ_k Λσ_k ∘ dW_k. In a step the scheme sees one field, ξ + Σ_k (ΔW_k/h) σ_k,
 /// or the fields one after the other: the [`NoiseRule`]. Both are generators, so that schemes that conserve quadratic
-/// invariants keep the Casimirs of each path to round-off, with any noise and any step.
+/// invariants keep the Casimirs of each path to round-off, as long as the stages of the steps are solved to it.
 ///
 /// A momentum is (μ, (number of the path, time)). The number is a whole number, the same along the path: it and the time
 /// determine the noise, as [`BrownianPaths`] says. So the members of an ensemble are starts with the numbers 0, 1, …, and
@@ -145,13 +145,16 @@ impl<S, M, X, N> Noisy<S, M, X, N> {
             |time, forward| field.next_break(time, forward),
             |window, elapsed, step| {
                 let [from, to] = [elapsed, elapsed + step].map(|time| time / interval);
-                let mut increments: SmallVec<[T; 8]> = smallvec![T::zero(); count];
+                let mut increments: SmallVec<[T; MOST_FIELDS]> = smallvec![T::zero(); count];
                 write_increments(&self.paths, (path.x, clock.x), (from, to), &mut increments);
                 self.rule.parts(&increments, step, |noise| part(window, noise))
             },
         )
     }
 }
+
+/// The number of increments of all lanes up to which a step allocates nothing.
+const MOST_NUMBERS: usize = 8 * MOST_FIELDS;
 
 /// Writes the increments of the components of a path in each lane, between two times after that of the clock.
 #[inline]
@@ -162,7 +165,7 @@ pub(super) fn write_increments<T: Real>(
     increments: &mut [T],
 ) {
     let count = increments.len();
-    let mut lanes: SmallVec<[f64; 8]> = SmallVec::new();
+    let mut lanes: SmallVec<[f64; MOST_NUMBERS]> = SmallVec::new();
     let mut begin = |path: f64, clock: f64| {
         let first = lanes.len();
         lanes.resize(first + count, 0.0);

@@ -8,15 +8,15 @@ const SLACK: f64 = 1e-9;
 
 /// The times at which a field may be evaluated in a part of a step, so that no stage sees the other side of a breakpoint.
 #[derive(Clone, Copy, Debug)]
-pub struct Window<T>(Option<(T, T)>);
+pub(super) struct Window<T>(Option<(T, T)>);
 
 impl<T: Real> Window<T> {
     /// The window of all times.
-    pub const ALL: Self = Self(None);
+    pub(super) const ALL: Self = Self(None);
 
     /// Returns the time in the window that is nearest to a time.
     #[inline]
-    pub fn nearest(&self, time: T) -> T {
+    pub(super) fn nearest(&self, time: T) -> T {
         let Some((first, last)) = self.0 else { return time };
         let late = T::select(first.at_most(time), time, first);
         T::select(late.at_most(last), late, last)
@@ -32,7 +32,7 @@ impl<T: Real> Window<T> {
 /// # Errors
 /// That of the part that fails.
 #[inline]
-pub fn smooth_pieces<T: Real>(
+pub(super) fn smooth_pieces<T: Real>(
     time: T,
     step: f64,
     next_break: impl Fn(f64, bool) -> Option<f64>,
@@ -40,11 +40,12 @@ pub fn smooth_pieces<T: Real>(
 ) -> Result<usize, StepError> {
     let forward = step >= 0.0;
     let slack = SLACK * step.abs();
-    let next_break_after = |time: f64| next_break(time + slack.copysign(step), forward);
-    let next_break_from = |time: f64| next_break(time - slack.copysign(step), forward);
-    if first_break(time, 0.0, &next_break_from) == f64::INFINITY {
+    let beyond = slack.copysign(step);
+    // Without a breakpoint from here on, as of most fields, there is nothing to divide.
+    if first_break(time, 0.0, &|time| next_break(time - beyond, forward)) == f64::INFINITY {
         return piece(Window::ALL, 0.0, step);
     }
+    let next_break_after = |time: f64| next_break(time + beyond, forward);
     let (mut elapsed, mut iterations) = (0.0, 0);
     loop {
         let left = (step - elapsed).abs();
@@ -64,11 +65,9 @@ pub fn smooth_pieces<T: Real>(
 #[inline]
 fn first_break<T: Real>(time: T, elapsed: f64, next_break: &impl Fn(f64) -> Option<f64>) -> f64 {
     let mut shortest = f64::INFINITY;
-    let distances = time.lane_by_lane(time, |time, _| {
+    let _ = time.lane_by_lane(time, |time, _| {
         let now = time + elapsed;
-        next_break(now).map_or(f64::INFINITY, |next| (next - now).abs())
-    });
-    let _ = distances.lane_by_lane(distances, |distance, _| {
+        let distance = next_break(now).map_or(f64::INFINITY, |next| (next - now).abs());
         shortest = shortest.min(distance);
         distance
     });

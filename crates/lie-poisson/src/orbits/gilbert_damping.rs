@@ -11,11 +11,11 @@ use thiserror::Error;
 
 /// A space of spins: its coordinates are those of s₁, s₂, … in R³, one spin after the other, and Λ(s) Ω has the parts
 /// s_i × Ω_i for the minus bracket and −s_i × Ω_i for the plus bracket.
-pub trait SpinSpace: PoissonSpace {}
+pub trait SpaceOfSpins: PoissonSpace {}
 
-impl SpinSpace for LiePoisson<So3> {}
-impl<const N: usize> SpinSpace for LiePoisson<PowerAlgebra<So3, N>> {}
-impl<const N: usize> SpinSpace for PowerSpace<LiePoisson<So3>, N> {}
+impl SpaceOfSpins for LiePoisson<So3> {}
+impl<const N: usize> SpaceOfSpins for LiePoisson<PowerAlgebra<So3, N>> {}
+impl<const N: usize> SpaceOfSpins for PowerSpace<LiePoisson<So3>, N> {}
 
 /// The error returned for a damping that would feed energy, or is no number.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -79,7 +79,7 @@ pub struct GilbertDamping<P, X> {
     damping: f64,
 }
 
-impl<P: SpinSpace, X> GilbertDamping<P, X> {
+impl<P: SpaceOfSpins, X> GilbertDamping<P, X> {
     /// Creates a damped field from the space with its bracket, the field ξ₀ and the damping α.
     ///
     /// # Errors
@@ -106,7 +106,7 @@ impl<P, X> GilbertDamping<P, X> {
 
 impl<P, X, T> OrbitField<P, T> for GilbertDamping<P, X>
 where
-    P: SpinSpace,
+    P: SpaceOfSpins,
     X: OrbitField<P, T>,
     T: Real,
 {

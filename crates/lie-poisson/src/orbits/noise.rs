@@ -2,7 +2,7 @@
 
 use crate::brackets::poisson::PoissonSpace;
 use crate::orbits::inner_product::InnerProduct;
-use generic_scalars::{Differential, Point, Real};
+use generic_scalars::{Differential, Point, Real, Vector, map_coordinates};
 use thiserror::Error;
 
 /// Fields σ_k: 𝔤∗ × R → 𝔤 that are driven by independent Brownian motions `W_k`, in Stratonovich's sense:
@@ -53,9 +53,9 @@ pub trait Noise<P: PoissonSpace, T: Real = f64> {
 /// # Example
 /// ```
 /// use lie_poisson::{InnerProduct, IsotropicNoise, NoiseError};
-/// let noise = IsotropicNoise::thermal(InnerProduct::euclidean(), 3, (0.5, 2.0))?;
+/// let noise = IsotropicNoise::thermal(InnerProduct::euclidean(), (0.5, 2.0))?;
 /// assert!((noise.strength - 2.0_f64.sqrt()).abs() < 1e-15); // √(2θkT)
-/// let refused = IsotropicNoise::thermal(InnerProduct::euclidean(), 3, (0.5, -2.0));
+/// let refused = IsotropicNoise::thermal(InnerProduct::euclidean(), (0.5, -2.0));
 /// assert_eq!(refused, Err(NoiseError::Temperature { temperature: -2.0 }));
 /// # Ok::<(), NoiseError>(())
 /// ```
@@ -63,8 +63,6 @@ pub trait Noise<P: PoissonSpace, T: Real = f64> {
 pub struct IsotropicNoise {
     /// The inner product ♯.
     pub inner_product: InnerProduct,
-    /// The dimension of the algebra, which is the number of Brownian motions.
-    pub dimension: usize,
     /// The strength σ.
     pub strength: f64,
 }
@@ -76,7 +74,6 @@ impl IsotropicNoise {
     /// Returns [`NoiseError`] for a negative friction or temperature, or one that is no finite number.
     pub fn thermal(
         inner_product: InnerProduct,
-        dimension: usize,
         (friction, temperature): (f64, f64),
     ) -> Result<Self, NoiseError> {
         if !(friction >= 0.0 && friction.is_finite()) {
@@ -87,7 +84,7 @@ impl IsotropicNoise {
         }
         // Roots of both, since the product may overflow.
         let strength = 2.0_f64.sqrt() * friction.sqrt() * temperature.sqrt();
-        Ok(Self { inner_product, dimension, strength })
+        Ok(Self { inner_product, strength })
     }
 }
 
@@ -110,13 +107,14 @@ pub enum NoiseError {
 }
 
 impl<P: PoissonSpace, T: Real> Noise<P, T> for IsotropicNoise {
+    /// Returns the dimension of the algebra.
     fn count(&self) -> usize {
-        self.dimension
+        Point::<P, T>::DIM
     }
 
     #[inline]
     fn element(&self, _: &Point<P, T>, _: T, weights: &[T]) -> Differential<P, T> {
         let element = self.inner_product.orthonormal::<P, T>(weights);
-        generic_scalars::map_coordinates(&element, |x| x * self.strength)
+        map_coordinates(&element, |x| x * self.strength)
     }
 }

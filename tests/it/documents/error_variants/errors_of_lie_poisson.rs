@@ -26,8 +26,8 @@ pub fn errors() -> Vec<String> {
         InputTable::new(times.to_vec(), values.to_vec(), Interpolation::Linear)
     };
     vec![
-        refused(IsotropicNoise::thermal(InnerProduct::euclidean(), 3, (-1.0, 1.0))),
-        refused(IsotropicNoise::thermal(InnerProduct::euclidean(), 3, (1.0, f64::NAN))),
+        refused(IsotropicNoise::thermal(InnerProduct::euclidean(), (-1.0, 1.0))),
+        refused(IsotropicNoise::thermal(InnerProduct::euclidean(), (1.0, f64::NAN))),
         refused(StructureTable::new(2, [StructureEntry { i: 0, j: 1, k: 2, value: 1.0 }])),
         refused(StructureConstants::<3>::new(|_, _, _| f64::NAN)),
         refused(StructureConstants::<3>::new(|_, _, _| 1.0)),

@@ -2,11 +2,14 @@
 
 use collective_integrators::diagnostics::fitted_order;
 use collective_integrators::{
-    Collective, Composition, LiftFree, RungeKutta, Start, StepError, Substeps, TorqueFlow, Torqued,
+    Collective, Composition, Driven, LiftFree, RungeKutta, Start, StepError, Substeps, TorqueFlow,
+    Torqued,
 };
-use lie_poisson::{Automatic, Covector, Energy, LiePoisson, Momentum, Point, Real, Se3, So3};
+use lie_poisson::{
+    Automatic, Autonomous, Covector, Energy, LiePoisson, Momentum, Pair, Point, Real, Se3, So3,
+};
 use momentum_map::{HOPF, PARTICLE, Quaternions};
-use nalgebra::Vector3;
+use nalgebra::{Vector1, Vector3};
 
 type Spin = Covector<Vector3<f64>>;
 
@@ -102,6 +105,60 @@ fn compositions_of_the_flows_have_orders_two_four_and_six() {
     assert!((found - 2.0).abs() < 0.2, "{found} {errors:?}");
 }
 
+/// A torque along e₃ that oscillates, for momenta with the time. It is frozen while it acts.
+struct Oscillating;
+
+impl TorqueFlow<Pair<Spin, Vector1<f64>>> for Oscillating {
+    fn flow(&self, mu: &mut Pair<Spin, Vector1<f64>>, step: f64) -> Result<(), StepError> {
+        let Pair(Covector(pi), time) = mu;
+        pi.z += (3.0 * time.x).cos() * step;
+        Ok(())
+    }
+}
+
+/// About its third axis a symmetric body turns faster by the integral of the torque, sin(3t)/3, and across it turns by ∫ (Ω₃
+/// − Π₃/I₁) dt.
+#[test]
+fn a_torque_that_depends_on_time_keeps_the_orders() {
+    struct Symmetric;
+    impl Energy for Symmetric {
+        type Space = LiePoisson<So3>;
+
+        fn energy<T: Real>(&self, Covector(pi): &Point<Self::Space, T>) -> T {
+            (pi.x * pi.x + pi.y * pi.y) * 0.25 + pi.z * pi.z * 0.5
+        }
+    }
+    let end = 4.0_f64;
+    let third = 0.5 + (3.0 * end).sin() / 3.0;
+    // dΠ₁/dt = ½ Π₂Π₃ and dΠ₂/dt = −½ Π₃Π₁ turn by half the integral of Π₃.
+    let angle = 0.5 * (0.5 * end + (1.0 - (3.0 * end).cos()) / 9.0);
+    let (sine, cosine) = angle.sin_cos();
+    let exact = Vector3::new(cosine + 2.0 * sine, 2.0 * cosine - sine, third);
+    let orbits =
+        || Driven::new(RungeKutta::implicit_midpoint(), HOPF, Autonomous(Automatic(Symmetric)));
+    let errors = |substeps: Option<Substeps>, counts: [u64; 3]| -> Vec<(f64, f64)> {
+        let begin = Pair(start(), Vector1::new(0.0));
+        let errors = counts.map(|count| {
+            let (motor, step) = (Torqued::new(orbits(), Oscillating), end / count as f64);
+            let found = match &substeps {
+                None => motor.after(&begin, step, count),
+                Some(substeps) => {
+                    Composition::new(motor, substeps.clone()).after(&begin, step, count)
+                }
+            };
+            (step, (found.unwrap().momentum.0.0 - exact).norm())
+        });
+        errors.into()
+    };
+    for (substeps, expected, counts) in
+        [(None, 2.0, [40, 80, 160]), (Some(Substeps::suzuki4()), 4.0, [20, 40, 80])]
+    {
+        let found = errors(substeps, counts);
+        let order = fitted_order(&found, 1e-14).unwrap();
+        assert!((order - expected).abs() < 0.1 * expected, "{expected}: {order} {found:?}");
+    }
+}
+
 /// dC/dt = ⟨dC, F⟩ and dh/dt = ⟨F, dh⟩: the motion on the orbits drops out of both.
 #[test]
 fn casimirs_and_energy_obey_their_balance_laws() {
@@ -167,7 +224,7 @@ impl Energy for Free {
 #[test]
 fn a_momentum_without_a_lift_ends_the_run() {
     let particle = Collective::new(RungeKutta::implicit_midpoint(), PARTICLE, Automatic(Free));
-    let start = Covector(lie_poisson::Pair(Vector3::x(), Vector3::z()));
+    let start = Covector(Pair(Vector3::x(), Vector3::z()));
     assert!(particle.after(&start, 0.1, 10).is_ok());
     let error = Torqued::new(particle, Crossing).after(&start, 0.1, 10).unwrap_err().to_string();
     assert!(

@@ -115,7 +115,7 @@ fn a_spin_in_a_field_has_the_magnetisation_of_langevin() {
 
 #[test]
 #[ignore = "takes minutes"]
-fn a_spin_in_a_field_has_the_magnetisation_of_langevin_at_all_temperatures() {
+fn many_times_a_spin_in_a_field_has_the_magnetisation_of_langevin() {
     spins(2_000_000, &[0.1, 0.3, 1.0, 3.0, 10.0]);
 }
 

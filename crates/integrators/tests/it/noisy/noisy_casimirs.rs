@@ -41,7 +41,7 @@ where
     let field = Autonomous(Automatic(Generic(algebra.clone())));
     let inner_product = InnerProduct::euclidean();
     let field = DoubleBracket { space, field, friction: 0.1, inner_product };
-    let noise = isotropic(<Momentum<A, f64> as Vector>::DIM, 0.3);
+    let noise = isotropic(0.3);
     let paths = BrownianPaths::new(4, 0.05).unwrap();
     let noisy = Noisy::new(RungeKutta::implicit_midpoint(), map, field, noise, paths);
     let noisy = noisy.with_rule(rule);

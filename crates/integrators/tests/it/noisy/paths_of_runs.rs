@@ -69,7 +69,7 @@ fn a_run_that_is_resumed_has_the_bits_of_one_that_is_not() {
 
 #[test]
 fn a_step_back_undoes_a_step() {
-    let noise = isotropic(3, 0.5);
+    let noise = isotropic(0.5);
     let spin = Noisy::new(RungeKutta::gauss(2).unwrap(), HOPF, Axial(1.0), noise, paths(3));
     let there = spin.after(&on_path(start(), 2), STEP, 200).unwrap().momentum;
     let back = spin.after(&there, -STEP, 200).unwrap().momentum;
@@ -79,11 +79,55 @@ fn a_step_back_undoes_a_step() {
 
 #[test]
 fn no_noise_is_the_driven_motion() {
-    let noise = isotropic(3, 0.0);
+    let noise = isotropic(0.0);
     let gauss = || RungeKutta::gauss(2).unwrap();
     let noisy = Noisy::new(gauss(), HOPF, Axial(1.0), noise, paths(3));
     let driven = collective_integrators::Driven::new(gauss(), HOPF, Axial(1.0));
     let Pair(end, Pair(_, time)) = noisy.after(&on_path(start(), 2), STEP, 200).unwrap().momentum;
     let expected = driven.after(&Pair(start(), time * 0.0), STEP, 200).unwrap().momentum;
     assert!((end.0 - expected.0.0).norm() < 1e-13 && (time.x - 10.0).abs() < 1e-12);
+}
+
+/// h = −B s₃ with the field B.
+#[derive(Clone, Copy)]
+struct InField(f64);
+
+impl Energy for InField {
+    type Space = LiePoisson<So3>;
+
+    fn energy<T: Real>(&self, Covector(s): &Point<Self::Space, T>) -> T {
+        s.z * -self.0
+    }
+}
+
+/// In units in which a spin is s and a second τ times as large, B is 1/τ, kT is s/τ and θ is 1/s of what they were.
+#[test]
+fn units_do_not_matter() {
+    let end = |(s, tau): (f64, f64)| {
+        let paths = BrownianPaths::new(1, STEP * tau).unwrap();
+        let system = (HOPF, LiePoisson::minus(So3), Automatic(InField(1.0 / tau)));
+        let spin = langevin(system, (0.3 / s, 0.7 * s / tau), paths);
+        let start = on_path(Covector(start().0 * s), 5);
+        spin.after(&start, STEP * tau, 100).unwrap().momentum.0.0 / s
+    };
+    let one = end((1.0, 1.0));
+    assert!((one - start().0).norm() > 0.1);
+    for (s, tau) in [(1e30, 1.0), (1e-30, 1.0), (1.0, 1e30), (1.0, 1e-30), (1e-30, 1e30)] {
+        // A hundred steps of some ten roundings.
+        assert!((end((s, tau)) - one).norm() < 1e-12, "{s:e} {tau:e}");
+    }
+}
+
+/// At the temperature 0 there is no noise, and both poles are at rest, also the one that is unstable.
+#[test]
+fn poles_are_at_rest_at_temperature_zero() {
+    for pole in [Vector3::z(), -Vector3::z()] {
+        let end = |temperature| {
+            let system = (HOPF, LiePoisson::minus(So3), Automatic(InField(1.0)));
+            let spin = langevin(system, (0.3, temperature), paths(1));
+            spin.after(&on_path(Covector(pole), 5), STEP, 100).unwrap().momentum.0.0
+        };
+        assert!((end(0.0) - pole).norm() < 1e-13);
+        assert!((end(1e-3) - pole).norm() > 1e-3);
+    }
 }

@@ -3,7 +3,7 @@
 use collective_integrators::{BrownianPaths, Noisy, RungeKutta, Start};
 use lie_poisson::{
     Autonomous, Covector, DoubleBracket, Hamiltonian, InnerProduct, IsotropicNoise, LiePoisson,
-    OrbitField, Pair, Point, PoissonSpace, Real, So3, Vector,
+    OrbitField, Pair, PoissonSpace, Real, So3,
 };
 use momentum_map::Lift;
 use nalgebra::{Vector1, Vector3};
@@ -19,8 +19,8 @@ impl<T: Real> OrbitField<LiePoisson<So3>, T> for Axial {
     }
 }
 
-pub fn isotropic(dimension: usize, strength: f64) -> IsotropicNoise {
-    IsotropicNoise { inner_product: InnerProduct::euclidean(), dimension, strength }
+pub fn isotropic(strength: f64) -> IsotropicNoise {
+    IsotropicNoise { inner_product: InnerProduct::euclidean(), strength }
 }
 
 /// A momentum, the number of its path, and the time.
@@ -46,8 +46,7 @@ where
     H: Hamiltonian<P>,
 {
     let inner_product = InnerProduct::euclidean();
-    let dimension = <Point<P, f64> as Vector>::DIM;
-    let noise = IsotropicNoise::thermal(inner_product.clone(), dimension, (friction, temperature));
+    let noise = IsotropicNoise::thermal(inner_product.clone(), (friction, temperature));
     let field = DoubleBracket { space, field: Autonomous(h), friction, inner_product };
     Noisy::new(RungeKutta::implicit_midpoint(), map, field, noise.unwrap(), paths)
 }
