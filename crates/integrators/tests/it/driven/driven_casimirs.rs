@@ -82,12 +82,12 @@ fn fields_of_any_kind_keep_the_casimirs() {
     assert!((last.momentum.0.0.norm() - 1.0).abs() > 1e-6);
 }
 
-/// Rounding errors are unbiased: they grow as the root of the number of steps, to 1e-13 here.
+/// Stages are left with errors below 2⁻⁵ ε of their size, which have one sign: 7e-12 in a million steps.
 #[test]
 #[ignore = "takes a minute"]
 fn fields_of_any_kind_keep_the_casimirs_many_times() {
     let found = deviations(1_000_000);
-    assert!(found.iter().all(|deviation| *deviation < 1e-12), "{found:?}");
+    assert!(found.iter().all(|deviation| *deviation < 7e-12), "{found:?}");
 }
 
 #[test]
