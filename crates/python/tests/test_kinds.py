@@ -14,6 +14,7 @@ BODIES = [
     (heavytop.EllipticalVortex(1.0, 0.05), {"a": 1.5, "b": 0.5, "angle": 0.3}),
     (heavytop.Gyrostat([2, 2, 1], 1.0, [0, 0, 1], [0, 0, 2]), {"Pi": [0.5, 0, 3], "Gamma": [0.6, 0, 0.8]}),
     (heavytop.RigidBody(4, [1, 1.5, 2, 2.5]), [1, 0.2, -0.3, 0.5, 0.1, 0.7]),
+    (heavytop.Satellite([1, 1.2, 0.4], 1.3), {"pitch": 0.3, "roll": 0.1, "relative": [0.2, 0, -0.1]}),
     (heavytop.SpinChain(3, 1.0, 0.3, [0, 0, 0.2]), [[1, 0, 0], [0, 1, 0], [0, 0.6, 0.8]]),
     (heavytop.TopOnBase([2, 2, 1], 0.8, 1.3, 9.8, [0, 0, 0.5]), [0.5, 0, 5, 0.1, 0, 0, 0.6, 0, 0.8]),
     (heavytop.Vortices([1, -0.7]), [[1, 0, 0], [0, 0.6, 0.8]]),
@@ -171,6 +172,7 @@ def test_what_is_refused(make, message):
             {"Pi": [0.5, 0, 3], "Gamma": [0.6, 0, 0.8]},
         ),
         ("rigid-body", {"moments": [1, 1.5, 2]}, {"Pi": [1, 0.2, -0.3]}),
+        ("satellite", {"I": [1, 1.2, 0.4], "n": 1.3}, {"roll": 0.3, "yaw": -0.2, "relative": [0.1, 0, 0.2]}),
         ("spin-chain", {"spins": 2, "exchange": 1}, {"S_1": [1, 0, 0], "S_2": [0, 0.6, 0.8]}),
         (
             "top-on-base",

@@ -7,9 +7,9 @@ use lie_poisson_formulas::Parameters;
 use lie_poisson_systems::isospectral_flows::IsospectralField;
 use lie_poisson_systems::{
     GeneralisedRigidBody, Gyrostat, HeisenbergChain, KidaVortex, Kirchhoff, MovableBaseAlgebra,
-    MovableBaseTop, PointVortices, So21,
+    MovableBaseTop, PointVortices, Satellite, SatelliteAlgebra, So21,
 };
-use nalgebra::{Matrix3, Matrix6, Vector3};
+use nalgebra::{Matrix3, Matrix6, Rotation3, Vector3};
 use proptest::prelude::*;
 
 /// A rounding error of some dozen operations, relative to the size of the rates.
@@ -126,6 +126,38 @@ proptest! {
             ("inertia", &inertia), ("mass", &[0.8]), ("base_mass", &[1.3]), ("gravity", &[9.8]), ("center_of_mass", &r),
         ];
         has_rate(&system("top-on-base", &given), &z, &top(1.3), &top(2.0));
+
+        let satellite = |rate| {
+            let satellite = Satellite::new(inertia.into(), rate).unwrap();
+            rate_of(LiePoisson::minus(SatelliteAlgebra::default()), satellite, &z)
+        };
+        let given: [(&str, &[f64]); 2] = [("I", &inertia), ("n", &[0.7])];
+        has_rate(&system("satellite", &given), &z, &satellite(0.7), &satellite(0.8));
+    }
+
+    /// A start by angles is that of the rotation R₃(yaw) R₂(pitch) R₁(roll) from the axes of the orbit to those of the body.
+    #[test]
+    fn a_satellite_starts_from_angles(angles in prop::array::uniform3(-3.0..3.0_f64), w in prop::array::uniform3(-1.0..1.0_f64)) {
+        let (inertia, rate, [roll, pitch, yaw]) = ([2.0, 2.5, 3.0], 0.7, angles);
+        let given = [("roll", &[roll][..]), ("pitch", &[pitch]), ("yaw", &[yaw]), ("relative", &w)];
+        let kind = SystemKind::named("satellite").unwrap();
+        let coordinates = |given: &[(&str, &[f64])]| {
+            kind.coordinates(&parameters(&[("I", &inertia), ("n", &[rate])]), &parameters(given)).unwrap().unwrap()
+        };
+        let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), yaw)
+            * Rotation3::from_axis_angle(&Vector3::y_axis(), pitch)
+            * Rotation3::from_axis_angle(&Vector3::x_axis(), roll);
+        let seen = [Vector3::z(), Vector3::y()].map(|axis| turn.inverse() * axis);
+        let satellite = Satellite::new(inertia.into(), rate).unwrap();
+        let expected = satellite.momentum(seen, &w.into());
+        for (i, x) in coordinates(&given).into_iter().enumerate() {
+            prop_assert!((x - expected.coordinate(i)).abs() < 1e-14);
+        }
+        // What is left out is 0.
+        let at_rest = satellite.momentum([Vector3::z(), Vector3::y()], &Vector3::zeros());
+        for (i, x) in coordinates(&[]).into_iter().enumerate() {
+            prop_assert!((x - at_rest.coordinate(i)).abs() < 1e-15);
+        }
     }
 
     #[test]

@@ -30,7 +30,7 @@ from .directions import vertical
 from .ends import Ends
 from .ensembles import solve_many
 from .events import Event
-from .kinds import BodyInFluid, EllipticalVortex, Gyrostat, RigidBody, SpinChain, TopOnBase, Vortices
+from .kinds import BodyInFluid, EllipticalVortex, Gyrostat, RigidBody, Satellite, SpinChain, TopOnBase, Vortices
 from .methods import FORMULATIONS, SCHEMES
 from .realisation import Realisation
 from .solution import Crossings, Solution
@@ -56,6 +56,7 @@ __all__ = [
     "Realisation",
     "Report",
     "RigidBody",
+    "Satellite",
     "SCHEMES",
     "Solution",
     "SphereFluid",

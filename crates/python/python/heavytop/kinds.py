@@ -111,6 +111,42 @@ class RigidBody(System):
         super().__init__(kind="rigid-body", parameters={"moments": given})
 
 
+class Satellite(System):
+    """A rigid satellite on a circular orbit, turned by the gradient of gravity; coordinates Pi, Gamma_1 and Gamma_2.
+
+    In the frame of the body, Pi is the angular momentum against the stars, Gamma_1 the direction from the centre of attraction to
+    the satellite, and Gamma_2 the normal of the orbit. h is Jacobi's integral. A start is given by them, or by angles in radians and
+    the angular velocity against the orbit: `{"roll": 0.1, "pitch": 0.2, "yaw": 0, "relative": [0, 0, 0]}`, of which each may be left
+    out. Without turns, the axes of the body are along the velocity, the normal and the radius.
+
+    Args:
+        moments: the three principal moments, kg m^2.
+        rate: the angular velocity of the orbit, rad/s.
+
+    Example:
+        A boom along the radius swings in the plane of the orbit with the frequency n sqrt(3 (I1 - I3)/I2) of small angles:
+
+        >>> boom = Satellite([1, 1.2, 0.4], 1e-3)
+        >>> run = boom.solve({"pitch": 1e-3}, step=60, end=6000, events=lambda t, y: y[3])
+        >>> half = float(np.diff(run.t_events[0])[0])
+        >>> round(np.pi / half / 1e-3, 6), round((3 * 0.6 / 1.2) ** 0.5, 6)
+        (1.224745, 1.224745)
+    """
+
+    def __init__(self, moments: ArrayLike, rate: float) -> None:
+        super().__init__(kind="satellite", parameters={"I": moments, "n": rate})
+
+    def angles(self, y: ArrayLike) -> tuple[Floats, Floats, Floats]:
+        """Returns roll, pitch and yaw, in radians, at states of shape (9,) or (9, n); the pitch is from -pi/2 to pi/2."""
+        _, _, _, r1, r2, r3, n1, n2, n3 = self._states("y", y)
+        roll = np.arctan2(r2, r3)
+        pitch = -np.arctan2(r1, np.hypot(r2, r3))
+        # The axes e1 and e2 of the body turned back by the roll; the first component of the normal is sin(yaw) cos(pitch).
+        across = n2 * np.cos(roll) - n3 * np.sin(roll)
+        along = n1 * np.cos(pitch) + (n2 * np.sin(roll) + n3 * np.cos(roll)) * np.sin(pitch)
+        return roll, pitch, np.arctan2(along, across)
+
+
 class TopOnBase(System):
     """A heavy top on a base that moves freely; coordinates Pi, P and Gamma.
 

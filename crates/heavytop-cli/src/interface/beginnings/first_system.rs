@@ -22,7 +22,7 @@ struct Template {
     times: [f64; 2],
 }
 
-const TEMPLATES: [Template; 11] = [
+const TEMPLATES: [Template; 12] = [
     Template {
         kind: "body-in-fluid",
         parameters: &[("inertia", "[1, 2, 3]"), ("masses", "[1, 2, 4]")],
@@ -64,6 +64,12 @@ const TEMPLATES: [Template; 11] = [
             ("L34", "0.7"),
         ],
         times: [0.05, 50.0],
+    },
+    Template {
+        kind: "satellite",
+        parameters: &[("I", "[1, 1.2, 0.4]"), ("n", "0.001")],
+        initial: &[("pitch", "0.3"), ("roll", "0.1")],
+        times: [60.0, 50_000.0],
     },
     Template {
         kind: "sphere-fluid",

@@ -7,7 +7,7 @@ use lie_poisson_formulas::Parameters;
 use lie_poisson_runs::{Experiment, Pace, RunFailure, Schedule};
 
 /// A system by kind: its name, the names of its columns, and the numbers of `parameters` and `initial` as TOML.
-const KINDS: [(&str, &str, &str, &str); 8] = [
+const KINDS: [(&str, &str, &str, &str); 9] = [
     (
         "body-in-fluid",
         "Pi1,Pi2,Pi3,P1,P2,P3,h,c1,c2",
@@ -37,6 +37,12 @@ const KINDS: [(&str, &str, &str, &str); 8] = [
         "L12,L13,L14,L23,L24,L34,h,c1,c2",
         "moments = [1, 1.5, 2, 2.5]",
         "L12 = 1, L13 = 0.2, L14 = -0.3, L23 = 0.5, L24 = 0.1, L34 = 0.7",
+    ),
+    (
+        "satellite",
+        "Pi1,Pi2,Pi3,Gamma_1_1,Gamma_1_2,Gamma_1_3,Gamma_2_1,Gamma_2_2,Gamma_2_3,h,c1,c2,c3",
+        "I = [1, 1.2, 0.4], n = 1.3",
+        "roll = 0.3, pitch = -0.2, relative = [0.1, 0, 0.2]",
     ),
     (
         "spin-chain",

@@ -1,0 +1,67 @@
+//! A satellite in the gradient of gravity.
+
+use crate::algebras::system_algebra::SystemAlgebra;
+use crate::catalogue::parameter::Parameter;
+use crate::catalogue::system_kind::{Description, Given, KindError, KindStart, Sign, SystemKind};
+
+/// A rigid satellite on a circular orbit, whose attitude is turned by the gradient of gravity.
+///
+/// In the frame of the body, Π is the angular momentum against the stars, Γ₁ the direction from the centre of attraction to the
+/// satellite and Γ₂ the normal of the orbit, on which the satellite turns about the centre at the rate n:
+///
+/// ```text
+/// h = Σ_i Π_i²/(2 I_i) − n Π·Γ₂ + (3/2) n² Σ_i I_i Γ₁ᵢ²,    Ω_i = Π_i/I_i
+/// dΠ/dt = Π × Ω + 3n² Γ₁ × IΓ₁,    dΓ_k/dt = Γ_k × (Ω − n Γ₂)
+/// ```
+///
+/// h is Jacobi's integral. The algebra is so(3) ⋉ (R³ ⊕ R³). The Casimirs are |Γ₁|², Γ₁·Γ₂ and |Γ₂|².
+///
+/// A start may be given by a yaw y about the radius, a pitch p about the normal and a roll r about the velocity, in this order, each
+/// about the axis of the body that is there without the others: e₃, e₂ and e₁. The relative velocity is that against the frame of
+/// the orbit, in the frame of the body.
+///
+/// Source: P. C. Hughes, *Spacecraft Attitude Dynamics* (1986), ch. 9.
+pub(in crate::catalogue) const SATELLITE: SystemKind = SystemKind {
+    name: "satellite",
+    about: "a satellite on a circular orbit, turned by the gradient of gravity",
+    parameters: &[
+        Parameter::vector("I", 3, "principal moments, kg m²"),
+        Parameter::number("n", "angular velocity of the orbit, rad/s"),
+    ],
+    describe,
+    start: Some(KindStart {
+        given: &[
+            Parameter::number("roll", "about e1, along the velocity, rad").or(&[0.0]),
+            Parameter::number("pitch", "about e2, along the normal, rad").or(&[0.0]),
+            Parameter::number("yaw", "about e3, along the radius, rad").or(&[0.0]),
+            Parameter::vector("relative", 3, "angular velocity against the orbit, rad/s")
+                .or(&[0.0; 3]),
+        ],
+        coordinates,
+    }),
+};
+
+fn describe(given: &Given<'_>) -> Result<Description, KindError> {
+    given.require_moments("I")?;
+    given.require("n", Sign::Positive)?;
+    let hamiltonian = "sum(Pi[i]^2/I[i])/2 - n*(Pi·Gamma_2) + 3*n^2*sum(I[i]*Gamma_1[i]^2)/2";
+    Ok(Description {
+        algebra: SystemAlgebra::named("so(3) |x (R3 + R3)")?,
+        hamiltonian: hamiltonian.into(),
+        parameters: given.parameters(&["I", "n"])?,
+        has_plus_bracket: false,
+    })
+}
+
+/// Returns Π = I(w + n Γ₂) and the directions that a body sees after the turns.
+fn coordinates(system: &Given<'_>, start: &Given<'_>) -> Result<Vec<f64>, KindError> {
+    let [(sr, cr), (sp, cp), (sy, cy)] =
+        ["roll", "pitch", "yaw"].map(|name| start.number(name).sin_cos());
+    let radial = [-sp, sr * cp, cr * cp];
+    let normal = [sy * cp, cr * cy + sr * sy * sp, cr * sy * sp - sr * cy];
+    let relative = start.values("relative");
+    let moments = system.values("I");
+    let rate = system.number("n");
+    let momentum = (0..3).map(|i| moments[i] * (relative[i] + rate * normal[i]));
+    Ok(momentum.chain(radial).chain(normal).collect())
+}
