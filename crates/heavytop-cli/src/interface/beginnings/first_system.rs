@@ -69,7 +69,7 @@ const TEMPLATES: [Template; 12] = [
         kind: "satellite",
         parameters: &[("I", "[1, 1.2, 0.4]"), ("n", "0.001")],
         initial: &[("pitch", "0.3"), ("roll", "0.1")],
-        times: [60.0, 50_000.0],
+        times: [60.0, 48_000.0],
     },
     Template {
         kind: "sphere-fluid",

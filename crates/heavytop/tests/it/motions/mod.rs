@@ -6,5 +6,6 @@ mod descent;
 mod euler_angles;
 mod langevin;
 mod poincare;
+mod published_bodies;
 mod splittings;
 mod there_and_back;
