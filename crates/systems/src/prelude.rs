@@ -23,8 +23,8 @@ pub use crate::{GeneralisedRigidBody, VorticityCoefficients, Zeitlin};
 pub use crate::{
     Gyrostat, HeisenbergChain, HeisenbergLattice, KeplerOrbit, KidaVortex, Kirchhoff,
     LatticeMidpoint, ManyVortices, MovableBaseTop, PointVortices, ReactionWheels, Satellite,
-    SatelliteAlgebra, SatelliteOnEllipse, So21, SpinLattice, SpinLatticeSpace, SpinSpace, Spins,
-    SystemError, WheelMomenta,
+    SatelliteAlgebra, SatelliteDual, SatelliteOnEllipse, So21, SpinLattice, SpinLatticeSpace,
+    SpinSpace, Spins, SystemError, WheelMomenta,
 };
 pub use collective_integrators::{
     Collective, Integrator, LiftFree, RungeKutta, SphericalMidpoint, Start,

@@ -141,7 +141,7 @@ proptest! {
         let (inertia, rate, [roll, pitch, yaw]) = ([2.0, 2.5, 3.0], 0.7, angles);
         let given = [("roll", &[roll][..]), ("pitch", &[pitch]), ("yaw", &[yaw]), ("relative", &w)];
         let kind = SystemKind::named("satellite").unwrap();
-        let coordinates = |given: &[(&str, &[f64])]| {
+        let coordinates = |given: &[(&str, &[f64])]| -> Vec<f64> {
             kind.coordinates(&parameters(&[("I", &inertia), ("n", &[rate])]), &parameters(given)).unwrap().unwrap()
         };
         let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), yaw)
@@ -154,7 +154,7 @@ proptest! {
             prop_assert!((x - expected.coordinate(i)).abs() < 1e-14);
         }
         // What is left out is 0.
-        let at_rest = satellite.momentum([Vector3::z(), Vector3::y()], &Vector3::zeros());
+        let at_rest = satellite.momentum([Vector3::z(), Vector3::y()], &Vector3::<f64>::zeros());
         for (i, x) in coordinates(&[]).into_iter().enumerate() {
             prop_assert!((x - at_rest.coordinate(i)).abs() < 1e-15);
         }

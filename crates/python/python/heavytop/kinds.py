@@ -127,7 +127,7 @@ class Satellite(System):
         A boom along the radius swings in the plane of the orbit with the frequency n sqrt(3 (I1 - I3)/I2) of small angles:
 
         >>> boom = Satellite([1, 1.2, 0.4], 1e-3)
-        >>> run = boom.solve({"pitch": 1e-3}, step=60, end=6000, events=lambda t, y: y[3])
+        >>> run = boom.solve({"pitch": 1e-3}, step=60, end=6000, events="Gamma_1[1]")
         >>> half = float(np.diff(run.t_events[0])[0])
         >>> round(np.pi / half / 1e-3, 6), round((3 * 0.6 / 1.2) ** 0.5, 6)
         (1.224745, 1.224745)
