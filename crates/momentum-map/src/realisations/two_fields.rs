@@ -9,18 +9,20 @@ use crate::phase_spaces::cotangent::Cotangent;
 use lie_poisson::{Covector, Diagonal, Mask, Pair, Power, Real, SO3OnR3, Vector, squaring_scale};
 use nalgebra::Vector3;
 
-/// The momentum map of the right action (q₁, q₂) ↦ (Rᵀ(q₁ − a₁), Rᵀ(q₂ − a₂)) of SO(3) ⋉ (R³ ⊕ R³), lifted to T∗(R³ ⊕ R³):
+/// The momentum map of the right action (q₁, q₂) ↦ (Rᵀ(q₁ − a₁), Rᵀ(q₂ − a₂)) of SO(3) ⋉ (R³ ⊕ R³), lifted to T∗(R³ ⊕
+/// R³):
 ///
 /// ```text
 /// M(q, p) = (Π, (Γ₁, Γ₂)),    Π = p₁ × q₁ + p₂ × q₂,    Γₖ = −pₖ
 /// ```
 ///
-/// It is for a body that sees two directions, as in two constant fields or on an orbit. The image has every Π, if Γ₁ and Γ₂ are not
-/// parallel. The fibres are the spaces (q₁ + s₁₁ p₁ + s₁₂ p₂, q₂ + s₁₂ p₁ + s₂₂ p₂), with the momenta ½|p₁|², ½|p₂|² and p₁·p₂,
-/// which are the Casimirs.
+/// It is for a body that sees two directions, as in two constant fields or on an orbit. The image has every Π, if Γ₁
+/// and Γ₂ are not parallel. The fibres are the spaces (q₁ + s₁₁ p₁ + s₁₂ p₂, q₂ + s₁₂ p₁ + s₂₂ p₂), with the momenta
+/// ½|p₁|², ½|p₂|² and p₁·p₂, which are the Casimirs.
 ///
-/// Source: T. Ratiu & P. van Moerbeke, *The Lagrange rigid body motion*, Ann. Inst. Fourier 32 (1982), for semidirect products;
-/// A. I. Bobenko, A. G. Reyman & M. A. Semenov-Tian-Shansky, Commun. Math. Phys. 122 (1989), for tops in two fields.
+/// Source: T. Ratiu & P. van Moerbeke, *The Lagrange rigid body motion*, Ann. Inst. Fourier 32 (1982), for semidirect
+/// products; A. I. Bobenko, A. G. Reyman & M. A. Semenov-Tian-Shansky, Commun. Math. Phys. 122 (1989), for tops in two
+/// fields.
 ///
 /// # Example
 /// ```
@@ -45,7 +47,8 @@ pub const TWO_FIELDS: TwoFieldRealisation = MomentumMap(Opposite(AffineAction(Di
 /// The least angle between Γ₁ and ±Γ₂, in radians, below which Π would lose twelve digits.
 const LEAST_ANGLE: f64 = 1e-12;
 
-/// Returns v/|v|, and |v| as a number and a scale that divides it, for vectors whose squares underflow or overflow, too.
+/// Returns v/|v|, and |v| as a number and a scale that divides it, for vectors whose squares underflow or overflow,
+/// too.
 fn unit<T: Real>(v: &Vector3<T>) -> (Vector3<T>, [T; 2]) {
     let scale = squaring_scale(v);
     let scaled = v * scale;
@@ -54,16 +57,16 @@ fn unit<T: Real>(v: &Vector3<T>) -> (Vector3<T>, [T; 2]) {
 }
 
 impl Lift for TwoFieldRealisation {
-    /// Returns the point of the fibre with the least |Γ₁|²|q₁|² + |Γ₂|²|q₂|²: qₖ = (x × uₖ)/|Γₖ| and pₖ = −Γₖ, with uₖ = −Γₖ/|Γₖ|
-    /// and
+    /// Returns the point of the fibre with the least |Γ₁|²|q₁|² + |Γ₂|²|q₂|²: qₖ = (x × uₖ)/|Γₖ| and pₖ = −Γₖ, with uₖ
+    /// = −Γₖ/|Γₖ| and
     ///
     /// ```text
     /// x = ½ (Π + s (s·Π)/|d|² + d (d·Π)/|s|²),    s = u₁ + u₂,  d = u₁ − u₂
     /// ```
     ///
     /// # Errors
-    /// Returns [`LiftError`] unless Γ₁ and Γ₂ differ from 0 and are not parallel to within 10⁻¹², all are finite, and neither Π nor
-    /// qₖ overflows.
+    /// Returns [`LiftError`] unless Γ₁ and Γ₂ differ from 0 and are not parallel to within 10⁻¹², all are finite, and
+    /// neither Π nor qₖ overflows.
     fn lift<T: Real>(&self, mu: &TargetPoint<Self, T>) -> Result<SourcePoint<Self, T>, LiftError> {
         let Covector(Pair(pi, seen)) =
             LiftError::unless_finite(*mu, "μ", mu.max_abs(), "Π, Γ₁ and Γ₂ must be finite")?;

@@ -4,8 +4,8 @@ use crate::error::{SystemError, require_finite, require_positive, require_within
 use lie_poisson::{Mask, Real};
 use std::f64::consts::PI;
 
-/// The most steps of Newton's iteration. It falls to the root and shortens the distance to a simple root by a third at worst, so
-/// that some twenty suffice for eccentricities that differ from 1 by a unit of round-off.
+/// The most steps of Newton's iteration. It falls to the root and shortens the distance to a simple root by a third at
+/// worst, so that some twenty suffice for eccentricities that differ from 1 by a unit of round-off.
 const MOST_STEPS: usize = 64;
 
 /// The largest eccentricity, the number before 1.
@@ -13,16 +13,16 @@ const LARGEST: f64 = 1.0 - f64::EPSILON / 2.0;
 
 /// An orbit on an ellipse in the field of a centre of attraction, by Kepler's laws.
 ///
-/// With the mean motion n = √(GM/a³), the eccentricity e and the time t₀ of the pericentre, the eccentric anomaly E and the ratio
-/// u = r/a of the distance to the semi-major axis obey
+/// With the mean motion n = √(GM/a³), the eccentricity e and the time t₀ of the pericentre, the eccentric anomaly E and
+/// the ratio u = r/a of the distance to the semi-major axis obey
 ///
 /// ```text
 /// E − e sin E = n (t − t₀),    u = 1 − e cos E
 /// dν/dt = n √(1 − e²)/u²,      GM/r³ = n²/u³
 /// ```
 ///
-/// where ν is the true anomaly, the angle from the pericentre seen from the centre. The turn of the satellite about the centre,
-/// dν/dt, and the strength GM/r³ of the tide are all that acts on its attitude.
+/// where ν is the true anomaly, the angle from the pericentre seen from the centre. The turn of the satellite about the
+/// centre, dν/dt, and the strength GM/r³ of the tide are all that acts on its attitude.
 ///
 /// Source: J. M. A. Danby, *Fundamentals of Celestial Mechanics*, 2nd ed. (1988), ch. 6.
 ///
@@ -46,11 +46,12 @@ pub struct KeplerOrbit {
 }
 
 impl KeplerOrbit {
-    /// Creates an orbit from the mean motion n (rad/s), the eccentricity e, and a time t₀ at which the satellite is at the
-    /// pericentre (s).
+    /// Creates an orbit from the mean motion n (rad/s), the eccentricity e, and a time t₀ at which the satellite is at
+    /// the pericentre (s).
     ///
     /// # Errors
-    /// Returns [`SystemError`] unless the mean motion and its square are positive, 0 ≤ e < 1, and every number is finite.
+    /// Returns [`SystemError`] unless the mean motion and its square are positive, 0 ≤ e < 1, and every number is
+    /// finite.
     pub fn new(mean_motion: f64, eccentricity: f64, pericentre: f64) -> Result<Self, SystemError> {
         require_rate("mean motion", "square of the mean motion", mean_motion)?;
         require_within("eccentricity", eccentricity, [0.0, LARGEST])?;
@@ -72,8 +73,8 @@ impl KeplerOrbit {
 
     /// Returns the eccentric anomaly E at a time (s), in \[−π, π\].
     ///
-    /// Newton's iteration for f(E) = (1 − e) E + e (E − sin E) − M with 0 ≤ M ≤ π starts where f is not negative. There f is
-    /// convex and increases, so that the iterates fall to the root, for every eccentricity below 1.
+    /// Newton's iteration for f(E) = (1 − e) E + e (E − sin E) − M with 0 ≤ M ≤ π starts where f is not negative. There
+    /// f is convex and increases, so that the iterates fall to the root, for every eccentricity below 1.
     pub fn eccentric_anomaly<T: Real>(&self, time: T) -> T {
         let turned = (time - self.pericentre) * self.mean_motion;
         // The mean anomaly in [−π, π], with all digits of small ones.

@@ -10,29 +10,30 @@ use nalgebra::Vector3;
 
 /// A rigid satellite on a circular orbit, whose attitude is turned by the gradient of gravity.
 ///
-/// It is a Hamiltonian on (so(3) ⋉ (R³ ⊕ R³))∗ with the minus bracket. In the frame of the body, Π is the angular momentum against
-/// the stars (kg m²/s), Γ₁ the direction from the centre of attraction to the satellite, and Γ₂ the normal of the orbit. With the
-/// principal moments I and the angular velocity n of the orbit, for which n² = GM/r³,
+/// It is a Hamiltonian on (so(3) ⋉ (R³ ⊕ R³))∗ with the minus bracket. In the frame of the body, Π is the angular
+/// momentum against the stars (kg m²/s), Γ₁ the direction from the centre of attraction to the satellite, and Γ₂ the
+/// normal of the orbit. With the principal moments I and the angular velocity n of the orbit, for which n² = GM/r³,
 ///
 /// ```text
 /// h = ½ Π·I⁻¹Π − n Π·Γ₂ + (3/2) n² Γ₁·IΓ₁,    Ω = I⁻¹Π
 /// dΠ/dt = Π × Ω + 3n² Γ₁ × IΓ₁,    dΓᵢ/dt = Γᵢ × (Ω − n Γ₂)
 /// ```
 ///
-/// The energy h is conserved: it is Jacobi's integral, the energy in the frame that turns with the orbit. The Casimirs are |Γ₁|²,
-/// Γ₁·Γ₂ and |Γ₂|², which are 1, 0 and 1 for two directions at right angles. The size of the satellite against its distance is
-/// neglected, so that the attitude does not act on the orbit.
+/// The energy h is conserved: it is Jacobi's integral, the energy in the frame that turns with the orbit. The Casimirs
+/// are |Γ₁|², Γ₁·Γ₂ and |Γ₂|², which are 1, 0 and 1 for two directions at right angles. The size of the satellite
+/// against its distance is neglected, so that the attitude does not act on the orbit.
 ///
-/// A satellite may stay at rest relative to the orbit with its principal axes along Γ₁, Γ₂ and Γ₂ × Γ₁. With moments `I_r`, `I_n` and
-/// `I_t` about these, this is stable if `I_n` > `I_t` > `I_r`: a long boom points to the centre. It then librates in the plane of the
-/// orbit with the angular frequency n √(3 (`I_t` − `I_r`)/`I_n`).
+/// A satellite may stay at rest relative to the orbit with its principal axes along Γ₁, Γ₂ and Γ₂ × Γ₁. With moments
+/// `I_r`, `I_n` and `I_t` about these, this is stable if `I_n` > `I_t` > `I_r`: a long boom points to the centre. It
+/// then librates in the plane of the orbit with the angular frequency n √(3 (`I_t` − `I_r`)/`I_n`).
 ///
-/// Source: P. C. Hughes, *Spacecraft Attitude Dynamics* (1986), ch. 9; L.-S. Wang, P. S. Krishnaprasad & J. H. Maddocks,
+/// Source: P. C. Hughes, *Spacecraft Attitude Dynamics* (1986), ch. 9; L.-S. Wang, P. S. Krishnaprasad & J. H.
+/// Maddocks,
 /// *Hamiltonian dynamics of a rigid body in a central gravitational field*, Celest. Mech. Dyn. Astron. 50 (1991).
 ///
 /// # Example
-/// A boom that is turned by 0.1 rad from the vertical, at rest relative to the orbit, is turned back. Jacobi's integral is conserved
-/// up to the error of the method:
+/// A boom that is turned by 0.1 rad from the vertical, at rest relative to the orbit, is turned back. Jacobi's integral
+/// is conserved up to the error of the method:
 /// ```
 /// use lie_poisson_systems::prelude::*;
 /// // the boom along e₃, the normal along e₂
@@ -54,18 +55,19 @@ pub struct Satellite {
 }
 
 impl Satellite {
-    /// Creates a satellite from its principal moments I₁, I₂, I₃ (kg m²) and the angular velocity n of its orbit (rad/s).
+    /// Creates a satellite from its principal moments I₁, I₂, I₃ (kg m²) and the angular velocity n of its orbit
+    /// (rad/s).
     ///
     /// # Errors
-    /// Returns [`SystemError`] unless the moments are positive and obey the triangle inequality, n and n² are positive, and
-    /// every number is finite, including the inverses of the moments and 3n² I.
+    /// Returns [`SystemError`] unless the moments are positive and obey the triangle inequality, n and n² are positive,
+    /// and every number is finite, including the inverses of the moments and 3n² I.
     pub fn new(inertia: Vector3<f64>, rate: f64) -> Result<Self, SystemError> {
         require_rate("angular velocity of the orbit", "its square", rate)?;
         Ok(Self { body: GravityGradient::new(inertia, rate * rate)?, rate })
     }
 
-    /// Returns the point (I(w + n Γ₂), Γ₁, Γ₂) of a satellite that sees the directions Γ₁ and Γ₂, and turns at the angular
-    /// velocity w relative to the orbit (rad/s).
+    /// Returns the point (I(w + n Γ₂), Γ₁, Γ₂) of a satellite that sees the directions Γ₁ and Γ₂, and turns at the
+    /// angular velocity w relative to the orbit (rad/s).
     pub fn momentum<T: Real>(
         &self,
         directions: [Vector3<T>; 2],

@@ -15,16 +15,17 @@ type Space = InTime<LiePoisson<SatelliteAlgebra>>;
 /// A rigid satellite on an elliptic orbit, whose attitude is turned by the gradient of gravity.
 ///
 /// It is a Hamiltonian on (so(3) ⋉ (R³ ⊕ R³))∗ that depends on time, with the minus bracket and the coordinates of
-/// [`Satellite`](crate::Satellite). The angular velocity dν/dt of the orbit and the tide GM/r³ are those of a [`KeplerOrbit`]:
+/// [`Satellite`](crate::Satellite). The angular velocity dν/dt of the orbit and the tide GM/r³ are those of a
+/// [`KeplerOrbit`]:
 ///
 /// ```text
 /// h(μ, t) = ½ Π·I⁻¹Π − ν′(t) Π·Γ₂ + (3/2) GM/r(t)³ Γ₁·IΓ₁,    Ω = I⁻¹Π
 /// dΠ/dt = Π × Ω + 3 GM/r(t)³ Γ₁ × IΓ₁,    dΓᵢ/dt = Γᵢ × (Ω − ν′(t) Γ₂)
 /// ```
 ///
-/// The Casimirs |Γ₁|², Γ₁·Γ₂ and |Γ₂|² are conserved, but h is not, and no attitude is at rest: the frame of the orbit turns
-/// unevenly. For small e the libration in the plane of the orbit is driven by 2e n² sin n(t − t₀), with the response
-/// 2e/(k − 1) sin n(t − t₀) for k = 3 (`I_t` − `I_r`)/`I_n`. It is resonant at k = 1.
+/// The Casimirs |Γ₁|², Γ₁·Γ₂ and |Γ₂|² are conserved, but h is not, and no attitude is at rest: the frame of the orbit
+/// turns unevenly. For small e the libration in the plane of the orbit is driven by 2e n² sin n(t − t₀), with the
+/// response 2e/(k − 1) sin n(t − t₀) for k = 3 (`I_t` − `I_r`)/`I_n`. It is resonant at k = 1.
 ///
 /// Source: V. V. Beletskii, *Motion of an Artificial Satellite about its Center of Mass* (1966), ch. 2.
 ///
@@ -55,8 +56,8 @@ impl SatelliteOnEllipse {
     /// Creates a satellite from its principal moments I₁, I₂, I₃ (kg m²) and its orbit.
     ///
     /// # Errors
-    /// Returns [`SystemError`] unless the moments are positive and obey the triangle inequality, and every number is finite,
-    /// including the inverses of the moments and 3 GM/r³ I at the pericentre.
+    /// Returns [`SystemError`] unless the moments are positive and obey the triangle inequality, and every number is
+    /// finite, including the inverses of the moments and 3 GM/r³ I at the pericentre.
     pub fn new(inertia: Vector3<f64>, orbit: KeplerOrbit) -> Result<Self, SystemError> {
         Ok(Self { body: GravityGradient::new(inertia, orbit.strongest_tide())?, orbit })
     }
@@ -67,8 +68,8 @@ impl SatelliteOnEllipse {
         &self.orbit
     }
 
-    /// Returns the point (I(w + ν′ Γ₂), Γ₁, Γ₂) of a satellite that sees the directions Γ₁ and Γ₂ at a time (s), and turns at the
-    /// angular velocity w relative to the directions of the orbit (rad/s).
+    /// Returns the point (I(w + ν′ Γ₂), Γ₁, Γ₂) of a satellite that sees the directions Γ₁ and Γ₂ at a time (s), and
+    /// turns at the angular velocity w relative to the directions of the orbit (rad/s).
     pub fn momentum<T: Real>(
         &self,
         directions: [Vector3<T>; 2],

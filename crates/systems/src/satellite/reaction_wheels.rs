@@ -27,13 +27,14 @@ pub trait WheelMomenta<const N: usize> {
 /// h(Π, t) = ½ (Π − l)·I⁻¹(Π − l),    l(t) = Σ_k l_k(t) a_k,    dΠ/dt = Π × Ω,    Ω = I⁻¹(Π − l(t))
 /// ```
 ///
-/// Π is the angular momentum of the body with its wheels (kg m²/s), I has the moments of both without those of the wheels about
-/// their own axes (kg m²), and `a_k` is the unit vector along the axis of a wheel, whose angular momentum about that axis, against the
-/// stars, is `l_k`. The motors are inside: |Π| is conserved, whatever they do, and so is the angular momentum seen from the stars. The
-/// energy changes by dh/dt = −Ω·u with the torques u = dl/dt on the wheels.
+/// Π is the angular momentum of the body with its wheels (kg m²/s), I has the moments of both without those of the
+/// wheels about their own axes (kg m²), and `a_k` is the unit vector along the axis of a wheel, whose angular momentum
+/// about that axis, against the stars, is `l_k`. The motors are inside: |Π| is conserved, whatever they do, and so is
+/// the angular momentum seen from the stars. The energy changes by dh/dt = −Ω·u with the torques u = dl/dt on the
+/// wheels.
 ///
-/// Source: P. S. Krishnaprasad, *Lie–Poisson structures, dual-spin spacecraft and asymptotic stability*, Nonlinear Anal. 9 (1985);
-/// P. C. Hughes, *Spacecraft Attitude Dynamics* (1986), ch. 3.
+/// Source: P. S. Krishnaprasad, *Lie–Poisson structures, dual-spin spacecraft and asymptotic stability*, Nonlinear
+/// Anal. 9 (1985); P. C. Hughes, *Spacecraft Attitude Dynamics* (1986), ch. 3.
 ///
 /// # Example
 /// A wheel is spun up until it has all of the angular momentum: the body comes to rest.
@@ -64,12 +65,12 @@ pub struct ReactionWheels<W, const N: usize> {
 }
 
 impl<W: WheelMomenta<N>, const N: usize> ReactionWheels<W, N> {
-    /// Creates a body from its principal moments I₁, I₂, I₃ (kg m²), the axes of the wheels in the frame of the body, of any length
-    /// but 0, and the angular momenta of the wheels.
+    /// Creates a body from its principal moments I₁, I₂, I₃ (kg m²), the axes of the wheels in the frame of the body,
+    /// of any length but 0, and the angular momenta of the wheels.
     ///
     /// # Errors
-    /// Returns [`SystemError`] unless the moments are positive and obey the triangle inequality, their inverses are finite, and
-    /// every axis has a finite length that is not 0.
+    /// Returns [`SystemError`] unless the moments are positive and obey the triangle inequality, their inverses are
+    /// finite, and every axis has a finite length that is not 0.
     pub fn new(
         inertia: Vector3<f64>,
         axes: [Vector3<f64>; N],

@@ -6,8 +6,9 @@ use crate::catalogue::system_kind::{Description, Given, KindError, KindStart, Si
 
 /// A rigid satellite on a circular orbit, whose attitude is turned by the gradient of gravity.
 ///
-/// In the frame of the body, Π is the angular momentum against the stars, Γ₁ the direction from the centre of attraction to the
-/// satellite and Γ₂ the normal of the orbit, on which the satellite turns about the centre at the rate n:
+/// In the frame of the body, Π is the angular momentum against the stars, Γ₁ the direction from the centre of
+/// attraction to the satellite and Γ₂ the normal of the orbit, on which the satellite turns about the centre at the
+/// rate n:
 ///
 /// ```text
 /// h = Σ_i Π_i²/(2 I_i) − n Π·Γ₂ + (3/2) n² Σ_i I_i Γ₁ᵢ²,    Ω_i = Π_i/I_i
@@ -16,9 +17,9 @@ use crate::catalogue::system_kind::{Description, Given, KindError, KindStart, Si
 ///
 /// h is Jacobi's integral. The algebra is so(3) ⋉ (R³ ⊕ R³). The Casimirs are |Γ₁|², Γ₁·Γ₂ and |Γ₂|².
 ///
-/// A start may be given by a yaw y about the radius, a pitch p about the normal and a roll r about the velocity, in this order, each
-/// about the axis of the body that is there without the others: e₃, e₂ and e₁. The relative velocity is that against the frame of
-/// the orbit, in the frame of the body.
+/// A start may be given by a yaw y about the radius, a pitch p about the normal and a roll r about the velocity, in
+/// this order, each about the axis of the body that is there without the others: e₃, e₂ and e₁. The relative velocity
+/// is that against the frame of the orbit, in the frame of the body.
 ///
 /// Source: P. C. Hughes, *Spacecraft Attitude Dynamics* (1986), ch. 9.
 pub(in crate::catalogue) const SATELLITE: SystemKind = SystemKind {

@@ -1,4 +1,5 @@
-//! Free rigid bodies whose motion others have published: a check case of simulation tools, and the tumbling asteroid Toutatis.
+//! Free rigid bodies whose motion others have published: a check case of simulation tools, and the tumbling asteroid
+//! Toutatis.
 
 use collective_integrators::{Collective, Integrator, RungeKutta, Start};
 use heavytop::{EulerAngles, HeavyTop, RigidBody, SpinorRealisation, WithAttitude};
@@ -26,8 +27,8 @@ fn angular_velocities(inertia: Vector3<f64>) -> Vec<Vector3<f64>> {
         .collect()
 }
 
-/// Source: E. B. Jackson et al., *Further development of verification check-cases for six-degree-of-freedom flight vehicle simulations*
-/// and NASA/TM-2015-218675, check case 2. Its tools agree to 0.004 °/s.
+/// Source: E. B. Jackson et al., *Further development of verification check-cases for six-degree-of-freedom flight
+/// vehicle simulations* and NASA/TM-2015-218675, check case 2. Its tools agree to 0.004 °/s.
 #[test]
 fn the_brick_of_nasas_check_case() {
     let found = angular_velocities(BRICK);
@@ -54,8 +55,8 @@ fn attitude([precession, nutation, spin]: [f64; 3]) -> lie_poisson::Quaternion {
     EulerAngles { precession, nutation, spin }.attitude()
 }
 
-/// Returns the distance of a model without torques from the observation of 1992-12-02T21:40 UTC: that of |ω|, relative, then the
-/// angles, in degrees, between the directions of ω and between the first, second and third axes of the body.
+/// Returns the distance of a model without torques from the observation of 1992-12-02T21:40 UTC: that of |ω|, relative,
+/// then the angles, in degrees, between the directions of ω and between the first, second and third axes of the body.
 fn distances(days: f64) -> [f64; 5] {
     let omega = degrees([14.51, 33.529, -98.709]);
     let turned = attitude([145.498, 65.865, 241.524]);
@@ -79,10 +80,12 @@ fn distances(days: f64) -> [f64; 5] {
     [(found.norm() / observed.norm() - 1.0).abs(), angle(found, observed), e1, e2, e3]
 }
 
-/// From the state of 1992-11-09T17:49:47 UTC, which was fitted to the radar of 1992 to 2008, to the first of the observations of 1992.
+/// From the state of 1992-11-09T17:49:47 UTC, which was fitted to the radar of 1992 to 2008, to the first of the
+/// observations of 1992.
 ///
-/// Source: Y. Takahashi, M. W. Busch & D. J. Scheeres, *Spin state and moment of inertia characterization of 4179 Toutatis*, Astron. J.
-/// 146 (2013); the distances of a model without torques are those that the project Principia states, whose axes are e₃, e₁, e₂ here.
+/// Source: Y. Takahashi, M. W. Busch & D. J. Scheeres, *Spin state and moment of inertia characterization of 4179
+/// Toutatis*, Astron. J. 146 (2013); the distances of a model without torques are those that the project Principia
+/// states, whose axes are e₃, e₁, e₂ here.
 #[test]
 fn toutatis_without_torques() {
     let days = 23.0 + (3.0 * 3600.0 + 50.0 * 60.0 + 13.0) / 86400.0;

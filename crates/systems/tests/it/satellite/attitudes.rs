@@ -20,8 +20,8 @@ pub fn on_ellipse(scheme: RungeKutta, satellite: SatelliteOnEllipse) -> OnEllips
     Driven::new(scheme, TWO_FIELDS, TimeDependent(satellite))
 }
 
-/// Returns Γ₁ and Γ₂ seen from a body that has turned from the axes of the orbit by a rotation vector, in its own frame: with no
-/// rotation, e₁ is along the velocity, e₂ along the normal, and e₃ along the radius.
+/// Returns Γ₁ and Γ₂ seen from a body that has turned from the axes of the orbit by a rotation vector, in its own
+/// frame: with no rotation, e₁ is along the velocity, e₂ along the normal, and e₃ along the radius.
 pub fn directions(turn: Vector3<f64>) -> [Vector3<f64>; 2] {
     let seen = Rotation3::new(-turn);
     [seen * Vector3::z(), seen * Vector3::y()]

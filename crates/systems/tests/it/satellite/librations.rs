@@ -1,5 +1,5 @@
-//! A satellite on a circle: its equations, the frequencies of its librations against closed forms, attitudes that are unstable,
-//! and what a collective Gauss method conserves.
+//! A satellite on a circle: its equations, the frequencies of its librations against closed forms, attitudes that are
+//! unstable, and what a collective Gauss method conserves.
 
 use super::attitudes::{directions, on_circle, pitch};
 use crate::all_systems::drifts::{ROUND_OFF, drifts, energy_bound, schemes};
@@ -45,8 +45,8 @@ fn the_equations_are_those_of_a_body_in_a_tide() {
     assert!(at_rest(Vector3::zeros()) < 1e-15 && at_rest(Vector3::new(0.0, 0.1, 0.0)) > 0.1);
 }
 
-/// In the plane of the orbit the satellite is a pendulum, d²θ/dt² = −(3/2) k n² sin 2θ with k = (I₁ − I₃)/I₂: its period from the
-/// amplitude θ₀ is 4K(sin θ₀)/(n √(3k)), where K = π/(2 agm(1, cos θ₀)).
+/// In the plane of the orbit the satellite is a pendulum, d²θ/dt² = −(3/2) k n² sin 2θ with k = (I₁ − I₃)/I₂: its
+/// period from the amplitude θ₀ is 4K(sin θ₀)/(n √(3k)), where K = π/(2 agm(1, cos θ₀)).
 #[test]
 fn librations_in_the_plane_have_the_period_of_a_pendulum() {
     let frequency = RATE * (3.0 * (BOOM.x - BOOM.z) / BOOM.y).sqrt();
@@ -74,8 +74,8 @@ fn librations_in_the_plane_have_the_period_of_a_pendulum() {
     }
 }
 
-/// Returns ω₁² and ω₂² of a sum of two oscillations by the recurrence y(t ± 2h) = 2(c₁ + c₂) y(t ± h) − (4c₁c₂ + 2) y(t) of its
-/// samples, where cᵢ = cos ωᵢh, and y(t ± h) are sums.
+/// Returns ω₁² and ω₂² of a sum of two oscillations by the recurrence y(t ± 2h) = 2(c₁ + c₂) y(t ± h) − (4c₁c₂ + 2)
+/// y(t) of its samples, where cᵢ = cos ωᵢh, and y(t ± h) are sums.
 fn two_frequencies(samples: &[f64], step: f64) -> [f64; 2] {
     let (mut matrix, mut right) = (Matrix2::zeros(), Vector2::zeros());
     for y in samples.windows(5) {
@@ -89,8 +89,8 @@ fn two_frequencies(samples: &[f64], step: f64) -> [f64; 2] {
     [0.5 * sum + root, 0.5 * sum - root].map(|c| (c.acos() / step).powi(2))
 }
 
-/// Returns ω² of roll and yaw: the roots of ω⁴ − (1 + 3r + ry) n² ω² + 4ry n⁴ with r = (I₂ − I₃)/I₁ and y = (I₂ − I₁)/I₃ (Hughes,
-/// Spacecraft Attitude Dynamics, §9.3).
+/// Returns ω² of roll and yaw: the roots of ω⁴ − (1 + 3r + ry) n² ω² + 4ry n⁴ with r = (I₂ − I₃)/I₁ and y = (I₂ −
+/// I₁)/I₃ (Hughes, Spacecraft Attitude Dynamics, §9.3).
 fn roll_and_yaw(moments: Vector3<f64>, rate: f64) -> [f64; 2] {
     let (r, y) = ((moments.y - moments.z) / moments.x, (moments.y - moments.x) / moments.z);
     let half = 0.5 * (1.0 + 3.0 * r + r * y);

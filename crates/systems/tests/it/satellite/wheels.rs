@@ -1,4 +1,5 @@
-//! A body with reaction wheels: a motion in closed form, its conserved angular momentum, its power, and refused parameters.
+//! A body with reaction wheels: a motion in closed form, its conserved angular momentum, its power, and refused
+//! parameters.
 
 use collective_integrators::{Driven, RungeKutta, Start};
 use lie_poisson::{
@@ -31,7 +32,8 @@ fn start() -> Pair<Covector<Vector3<f64>>, Vector1<f64>> {
     Pair(Covector(Vector3::new(0.8, -0.3, 1.1)), Vector1::new(0.0))
 }
 
-/// With I₁ = I₂ and the wheel along e₃, Π₃ is constant, and (Π₁, Π₂) turns by −∫(Ω₃ − Π₃/I₁) dt, Ω₃ = (Π₃ − A sin ωt)/I₃.
+/// With I₁ = I₂ and the wheel along e₃, Π₃ is constant, and (Π₁, Π₂) turns by −∫(Ω₃ − Π₃/I₁) dt, Ω₃ = (Π₃ − A sin
+/// ωt)/I₃.
 #[test]
 fn a_symmetric_body_has_a_closed_form() {
     let (across, along) = (2.0, 0.7);
