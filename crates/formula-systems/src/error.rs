@@ -1,5 +1,6 @@
 //! The errors of systems, methods and initial states: [`FormulaSystemError`].
 
+use crate::open_systems::open_system_error::OpenSystemError;
 use heavytop::methods::{Formulation, MethodError, SchemeName};
 use lie_poisson_formulas::{CasimirError, EntryError, FormulaError, NameError, ValueError};
 use momentum_map::LiftError;
@@ -9,6 +10,9 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FormulaSystemError {
+    /// What drives, damps, shakes or forces a system does not fit it.
+    #[error(transparent)]
+    Open(#[from] OpenSystemError),
     /// No algebra of the library has this name.
     #[error("there is no algebra {name}; there are {}", names.join(", "))]
     NoAlgebra {

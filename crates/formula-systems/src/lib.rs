@@ -35,6 +35,7 @@
 //! | a realisation of your own, by matrices, and what it obeys | [`QuadraticMomenta`], [`Verdict`], [`SystemAlgebra::with_realisation`] |
 //! | the formulations that an algebra has, a method of one | [`SystemAlgebra::formulations`], [`SystemAlgebra::method`] |
 //! | the integrator of a [`Method`](heavytop::methods::Method) by name | [`FormulaSystem::tangent_integrator`] |
+//! | a system that is driven, damped, noisy or forced | [`OpenSystem`], [`OpenTerms`], [`OpenNames`], [`NamedInputs`] |
 //! | a Poincaré section on a level set of h and the Casimirs | [`SystemSection`] |
 //! | the reason why something is rejected | [`FormulaSystemError`], [`StructureTableError`] |
 //!
@@ -66,6 +67,7 @@ mod algebras;
 mod systems;
 mod catalogue;
 mod methods;
+mod open_systems;
 mod sections;
 
 pub use algebras::structure_table::{StructureTableError, structure_table};
@@ -74,6 +76,11 @@ pub use casimirs::casimir::{Casimir, ScalarFunction};
 pub use catalogue::parameter::{Parameter, ParameterShape, require_parameters};
 pub use catalogue::system_kind::{KindStart, SystemKind};
 pub use error::FormulaSystemError;
+pub use open_systems::named_inputs::NamedInputs;
+pub use open_systems::open_names::OpenNames;
+pub use open_systems::open_system::OpenSystem;
+pub use open_systems::open_system_error::OpenSystemError;
+pub use open_systems::open_terms::{Damping, NoiseFields, NoiseTerms, OpenTerms};
 pub use realisations::quadratic_momenta::{QuadraticMomenta, matrices_of_rows};
 pub use realisations::verdict::Verdict;
 pub use sections::system_section::SystemSection;

@@ -52,11 +52,11 @@ impl Conserved for Spin {
         ["h", "length"].map(String::from).to_vec()
     }
 
-    fn append(&self, s: &[f64], values: &mut Vec<f64>) {
+    fn append(&self, _time: f64, s: &[f64], values: &mut Vec<f64>) {
         values.extend([self.value(&Self::at(s)), Self::at(s).0.norm()]);
     }
 
-    fn without_value(&self, s: &[f64]) -> String {
+    fn without_value(&self, _time: f64, s: &[f64]) -> String {
         format!("the spin {s:?} is too long")
     }
 }

@@ -33,6 +33,7 @@
 //! | what all systems are here, or a system of your own | [`Model`], [`Conserved`] |
 //! | the model of a top | [`TopInAxes`] |
 //! | the model of a system by formula | [`FormulaSystem`](lie_poisson_formula_systems::FormulaSystem) |
+//! | the model of a system, or of a top, that is driven, damped, noisy or forced | [`OpenSystem`](lie_poisson_formula_systems::OpenSystem), [`OpenTop`] |
 //! | a lattice of spins, a fluid on the sphere, any number of vortices, by name | [`ArrayKind`], [`ArraySystem`], [`Arguments`] |
 //! | the rows of a run one by one | [`Experiment`] |
 //! | where functions of the momentum are zero along a run | [`EventFunctions`] |
@@ -69,6 +70,7 @@ pub use arrays::array_system::ArraySystem;
 pub use error::RunFailure;
 pub use models::conserved::Conserved;
 pub use models::model::Model;
+pub use models::open_top::OpenTop;
 pub use models::step_angle;
 pub use models::top_in_axes::TopInAxes;
 pub use models::top_quantity::TopQuantity;

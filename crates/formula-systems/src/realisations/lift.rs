@@ -18,7 +18,7 @@ impl QuadraticMomenta {
     ///
     /// # Errors
     /// Returns [`LiftError`] if none is found.
-    pub(super) fn lift(&self, mu: &[f64]) -> Result<Vec<f64>, LiftError> {
+    pub(crate) fn lift(&self, mu: &[f64]) -> Result<Vec<f64>, LiftError> {
         // Each coordinate in the unit of its matrix. The size is that of the largest, whose square neither overflows nor
         // underflows.
         let weights: Vec<f64> = self.largest().into_iter().map(inverse).collect();

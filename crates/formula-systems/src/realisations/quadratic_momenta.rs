@@ -155,8 +155,17 @@ impl QuadraticMomenta {
                 }
             }
         }
+        Ok(Self::of_entries(matrices.len(), freedoms, entries))
+    }
+
+    /// Creates so many momenta of the entries (a, i, j, value) of symmetric matrices `S_a`.
+    pub(super) fn of_entries(
+        count: usize,
+        freedoms: usize,
+        mut entries: Vec<(usize, usize, usize, f64)>,
+    ) -> Self {
         entries.sort_unstable_by_key(|&(a, i, j, _)| (a, i, j));
-        Ok(Self { freedoms, count: matrices.len(), entries })
+        Self { freedoms, count, entries }
     }
 
     /// Returns the momenta of two copies of the adjoint representation, a Clebsch map; of an algebra with a centre, which it does
@@ -222,7 +231,7 @@ impl QuadraticMomenta {
     }
 
     /// Writes the Hamiltonian vector of Σ ξ_a J_a at z: (∂/∂p, −∂/∂q).
-    pub(super) fn generator<T: Real>(&self, xi: &[T], z: &[T], vector: &mut [T]) {
+    pub(crate) fn generator<T: Real>(&self, xi: &[T], z: &[T], vector: &mut [T]) {
         vector.fill(T::zero());
         let m = self.freedoms;
         for &(a, i, j, value) in &self.entries {

@@ -7,6 +7,7 @@ mod casimirs;
 mod collective_by_expression;
 mod laws_of_systems;
 mod methods_by_name;
+mod open_systems;
 mod realisations;
 mod schemes;
 mod sections_of_systems;

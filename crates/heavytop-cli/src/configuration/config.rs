@@ -3,6 +3,7 @@
 use super::events_config::EventsConfig;
 use super::integrator_config::{Integration, IntegratorConfig};
 use super::notes::Notes;
+use super::open::{DampingConfig, Element, InputConfig, NoiseConfig};
 use super::output_config::OutputConfig;
 use super::section_config::SectionConfig;
 use super::sweep::SweepConfig;
@@ -18,6 +19,7 @@ use lie_poisson_formula_systems::FormulaSystem;
 use lie_poisson_runs::TopQuantity;
 use lie_poisson_runs::step_angle::require_sane_step;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// The keys that say where the centre of mass is, and how heavy it is.
 const POSITION: [&str; 2] = ["body.mass", "body.length"];
@@ -50,6 +52,21 @@ pub struct Config {
     pub sweep: Option<SweepConfig>,
     /// The table `[system]`: a system instead of a top.
     pub system: Option<SystemConfig>,
+    /// The table `[inputs]`: inputs by tables, for formulas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inputs: Option<BTreeMap<String, InputConfig>>,
+    /// The table `[drive]`: a control, an element of the algebra by formulas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub drive: Option<Element>,
+    /// The table `[damping]`: friction that keeps the Casimirs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub damping: Option<DampingConfig>,
+    /// The table `[noise]`: noise that keeps the Casimirs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub noise: Option<NoiseConfig>,
+    /// The table `[torque]`: a torque by formulas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub torque: Option<Element>,
     /// The keys that were left out of the tables of tops where they were read.
     #[serde(skip)]
     pub left_out: LeftOut,
@@ -63,9 +80,13 @@ impl Config {
     pub fn run(&self) -> Result<Box<Experiment>, Error> {
         if let Some(system) = self.system()?.filter(|system| system.array_kind().is_some()) {
             self.require_output_of_system()?;
+            self.require_closed()?;
             if let Some(arrays) = system.array_experiment(self.integrator, self.output.every)? {
                 return Ok(Box::new(arrays));
             }
+        }
+        if let Some(open) = self.open_run()? {
+            return Ok(open);
         }
         Ok(match self.system_experiment()? {
             Some(system) => Box::new(system),
@@ -78,6 +99,7 @@ impl Config {
     /// # Errors
     /// If there is no such run.
     pub fn experiment(&self) -> Result<Experiment<TopInAxes>, Error> {
+        self.require_closed()?;
         let model = self.model()?;
         let start = TopInAxes::coordinates(&self.start()?).to_vec();
         let integration = self.integrator.or(Integration::default());
@@ -183,11 +205,12 @@ impl Config {
     pub fn system_experiment(&self) -> Result<Option<Experiment<FormulaSystem>>, Error> {
         let Some(system) = self.system()? else { return Ok(None) };
         self.require_output_of_system()?;
+        self.require_closed()?;
         system.experiment(self.integrator, self.output.every).map(Some)
     }
 
     /// Checks that a system can have the output that is asked for.
-    fn require_output_of_system(&self) -> Result<(), Error> {
+    pub(super) fn require_output_of_system(&self) -> Result<(), Error> {
         if self.output.attitude {
             return Err(SystemTableError::NoAttitude.into());
         }

@@ -3,6 +3,7 @@
 mod top;
 mod integrator_config;
 mod system;
+mod open;
 mod plane_limits;
 mod section_config;
 mod events_config;
@@ -19,6 +20,7 @@ pub(crate) use config::IMPOSSIBLE;
 pub use events_config::EventsConfig;
 pub use integrator_config::{Instructions, Integration, IntegratorConfig};
 pub use notes::Notes;
+pub use open::{DampingConfig, Element, Formulas, InnerProductConfig, InputConfig, NoiseConfig};
 pub use output_config::OutputConfig;
 pub use plane_limits::PlaneLimits;
 pub use preset::Preset;

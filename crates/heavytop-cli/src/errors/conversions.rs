@@ -3,7 +3,7 @@
 use super::error::Error;
 use super::parts::system_table_error::SystemTableError;
 use heavytop::methods::MethodError;
-use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_formula_systems::{FormulaSystemError, OpenSystemError};
 use lie_poisson_runs::RunFailure;
 use momentum_map::LiftError;
 use plotters::drawing::DrawingAreaErrorKind;
@@ -45,6 +45,12 @@ impl From<RunFailure> for Error {
 impl From<SystemTableError> for Error {
     fn from(error: SystemTableError) -> Self {
         Self::System(Box::new(error))
+    }
+}
+
+impl From<OpenSystemError> for Error {
+    fn from(error: OpenSystemError) -> Self {
+        FormulaSystemError::from(error).into()
     }
 }
 

@@ -1,7 +1,7 @@
 //! The place of an error within a formula that a configuration contains.
 
 use crate::errors::{Error, SystemTableError};
-use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_formula_systems::{FormulaSystemError, OpenSystemError};
 use lie_poisson_formulas::{FormulaError, Problem};
 use std::ops::Range;
 
@@ -45,6 +45,7 @@ fn formula_error(error: &Error) -> Option<&FormulaError> {
     match error {
         E::Bracket { problem, .. } | E::Axis { problem, .. } => Some(problem),
         E::Hamiltonian(problem) | E::Surface(problem) => Some(problem),
+        E::Open(OpenSystemError::Formula { reason, .. }) => Some(reason),
         _ => None,
     }
 }

@@ -132,14 +132,14 @@ pub(crate) fn write_method(
     write!(to, "; by {formulation}, {scheme}, step {} s, to {} s", number(step), number(end))
 }
 
-/// Writes the estimated error, and that of a check, as a part of a closing line.
+/// Writes the estimated error of the state, or of a path, and that of a check, as a part of a closing line.
 pub(crate) fn write_accuracy(
     to: &mut fmt::Formatter<'_>,
-    estimate: Option<f64>,
+    (estimate, what): (Option<f64>, &str),
     check: Option<&RunCheck>,
 ) -> fmt::Result {
     match estimate {
-        Some(error) => write!(to, "; estimated error {error:.1e} of the state")?,
+        Some(error) => write!(to, "; estimated error {error:.1e} of {what}")?,
         None => write!(to, "; no estimate of the error")?,
     }
     check.map_or(Ok(()), |check| write!(to, "; {check}"))

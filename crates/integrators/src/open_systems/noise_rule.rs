@@ -25,13 +25,13 @@ pub enum NoiseRule {
 
 /// A part of a step, in which the field is a X + Σ_k w_k `Y_k`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct NoisePart<'a, T> {
+pub struct NoisePart<'a, T> {
     /// The number a.
-    pub(super) drift: f64,
+    pub drift: f64,
     /// The weights w_k; none if all are 0.
-    pub(super) weights: &'a [T],
+    pub weights: &'a [T],
     /// The size of the part.
-    pub(super) step: f64,
+    pub step: f64,
 }
 
 impl NoiseRule {

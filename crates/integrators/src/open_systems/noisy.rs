@@ -5,14 +5,14 @@ use crate::integrators::collective::{Collective, SpaceOf};
 use crate::integrators::trajectories::integrator::Integrator;
 use crate::integrators::trajectories::start::Start;
 use crate::open_systems::brownian_paths::BrownianPaths;
-use crate::open_systems::noise_rule::{MOST_FIELDS, NoisePart, NoiseRule};
-use crate::open_systems::smooth_pieces::{Window, smooth_pieces};
+use crate::open_systems::noise_rule::{NoisePart, NoiseRule};
+use crate::open_systems::smooth_pieces::Window;
+use crate::open_systems::step_parts::StepParts;
 use crate::schemes::scheme::{Equivariant, Scheme, Step};
 use crate::vector_field::VectorField;
 use lie_poisson::nalgebra::Vector1;
 use lie_poisson::{Differential, InTime, Noise, OrbitField, Pair, Real, TimeAxis, Vector};
 use momentum_map::{Identity, Lift, LiftError, PoissonMap, ProductMap, SourcePoint, TargetPoint};
-use smallvec::{SmallVec, smallvec};
 
 /// The map (M, id): P × R² → 𝔤∗ × R² of states with the number of the path and the time.
 type MapOfPaths<M> = ProductMap<M, Identity<InTime<TimeAxis>>>;
@@ -129,58 +129,22 @@ impl<S, M, X, N> Noisy<S, M, X, N> {
         &self,
         Pair(path, clock): &PathAndTime<T>,
         step: f64,
-        mut part: impl FnMut(Window<T>, NoisePart<'_, T>) -> Result<usize, StepError>,
+        part: impl FnMut(Window<T>, NoisePart<'_, T>) -> Result<usize, StepError>,
     ) -> Result<usize, StepError>
     where
         M: PoissonMap,
         X: OrbitField<M::Target, T>,
         N: Noise<M::Target, T>,
     {
-        let interval = self.paths.interval();
-        let count = self.rule.components(self.noise.count());
         let field = &self.collective.system().hamiltonian;
-        smooth_pieces(
-            clock.x * interval,
+        let next_break = |time, forward| field.next_break(time, forward);
+        let noise = Some((&self.paths, self.rule, self.noise.count()));
+        StepParts { interval: self.paths.interval(), noise }.make(
+            (path.x, clock.x),
             step,
-            |time, forward| field.next_break(time, forward),
-            |window, elapsed, step| {
-                let [from, to] = [elapsed, elapsed + step].map(|time| time / interval);
-                let mut increments: SmallVec<[T; MOST_FIELDS]> = smallvec![T::zero(); count];
-                write_increments(&self.paths, (path.x, clock.x), (from, to), &mut increments);
-                self.rule.parts(&increments, step, |noise| part(window, noise))
-            },
+            next_break,
+            part,
         )
-    }
-}
-
-/// The number of increments of all lanes up to which a step allocates nothing.
-const MOST_NUMBERS: usize = 8 * MOST_FIELDS;
-
-/// Writes the increments of the components of a path in each lane, between two times after that of the clock.
-#[inline]
-pub(super) fn write_increments<T: Real>(
-    paths: &BrownianPaths,
-    (path, clock): (T, T),
-    (from, to): (f64, f64),
-    increments: &mut [T],
-) {
-    let count = increments.len();
-    let mut lanes: SmallVec<[f64; MOST_NUMBERS]> = SmallVec::new();
-    let mut begin = |path: f64, clock: f64| {
-        let first = lanes.len();
-        lanes.resize(first + count, 0.0);
-        let lane = lanes.get_mut(first..).unwrap_or_default();
-        paths.write_increments(path as u64, clock + from, clock + to, lane);
-        0.0
-    };
-    let zero = path.lane_by_lane(clock, &mut begin);
-    for (k, increment) in increments.iter_mut().enumerate() {
-        let mut place = k;
-        *increment = zero.lane_by_lane(zero, |_, _| {
-            let value = lanes.get(place).copied().unwrap_or(f64::NAN);
-            place += count;
-            value
-        });
     }
 }
 

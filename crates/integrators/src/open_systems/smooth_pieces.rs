@@ -8,15 +8,16 @@ const SLACK: f64 = 1e-9;
 
 /// The times at which a field may be evaluated in a part of a step, so that no stage sees the other side of a breakpoint.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Window<T>(Option<(T, T)>);
+pub struct Window<T>(Option<(T, T)>);
 
 impl<T: Real> Window<T> {
     /// The window of all times.
-    pub(super) const ALL: Self = Self(None);
+    pub const ALL: Self = Self(None);
 
     /// Returns the time in the window that is nearest to a time.
     #[inline]
-    pub(super) fn nearest(&self, time: T) -> T {
+    #[must_use]
+    pub fn nearest(&self, time: T) -> T {
         let Some((first, last)) = self.0 else { return time };
         let late = T::select(first.at_most(time), time, first);
         T::select(late.at_most(last), late, last)

@@ -93,14 +93,30 @@ impl InnerProduct {
         Ok(Self { rows: rows.to_vec(), root: root.collect() })
     }
 
+    /// Returns the number of rows of the matrix; `None` for the unit matrix, which has any.
+    #[must_use]
+    pub fn dimension(&self) -> Option<usize> {
+        (!self.rows.is_empty()).then(|| self.rows.len().isqrt())
+    }
+
+    /// Writes α♯ for coordinates whose number is known only when the program runs. It is NaN if the matrix has another number of
+    /// rows.
+    pub fn write_sharp<T: Real>(&self, alpha: &[T], sharp: &mut [T]) {
+        write_product(&self.rows, sharp, |j| alpha.get(j).copied().unwrap_or_else(T::zero));
+    }
+
+    /// Writes Σ_k w_k e_k as [`orthonormal`](Self::orthonormal) returns it.
+    pub fn write_orthonormal<T: Real>(&self, weights: &[T], element: &mut [T]) {
+        write_product(&self.root, element, |k| weights.get(k).copied().unwrap_or_else(T::zero));
+    }
+
     /// Returns α♯. It is NaN if the matrix has not as many rows as the space has coordinates.
     #[must_use]
     pub fn sharp<P: VectorSpace, T: Real>(&self, alpha: &Point<P, T>) -> Differential<P, T> {
-        let size = Point::<P, T>::DIM;
         if self.rows.is_empty() {
             return map_coordinates(alpha, |x| x);
         }
-        product::<P, T>(&self.rows, size, |j| alpha.coordinate(j))
+        product::<P, T>(&self.rows, |j| alpha.coordinate(j))
     }
 
     /// Returns Σ_k w_k e_k for elements e_k of 𝔤 that are orthonormal in the inner product on 𝔤, so that Σ_k e_k ⟨α, e_k⟩ = α♯.
@@ -118,32 +134,38 @@ impl InnerProduct {
     /// ```
     #[must_use]
     pub fn orthonormal<P: VectorSpace, T: Real>(&self, weights: &[T]) -> Differential<P, T> {
-        let weight = |k: usize| weights.get(k).copied().unwrap_or_else(T::zero);
-        if self.rows.is_empty() {
-            let mut element: Differential<P, T> = Vector::zero();
-            element.set_coordinates(weight);
-            return element;
-        }
-        product::<P, T>(&self.root, Point::<P, T>::DIM, weight)
+        product::<P, T>(&self.root, |k| weights.get(k).copied().unwrap_or_else(T::zero))
     }
 }
 
-/// Returns the product of a square matrix with a vector; NaN if it has another size.
+/// Returns the product of a square matrix with a vector, as [`write_product`] writes it.
 fn product<P: VectorSpace, T: Real>(
     rows: &[f64],
-    size: usize,
     vector: impl Fn(usize) -> T,
 ) -> Differential<P, T> {
     let mut product: Differential<P, T> = Vector::zero();
-    if rows.len() != size * size {
-        product.set_coordinates(|_| T::from_f64(f64::NAN));
-        return product;
-    }
-    product.set_coordinates(|i| {
-        let row = rows.iter().skip(i * size).take(size);
-        row.enumerate().fold(T::zero(), |sum, (j, entry)| sum + vector(j) * *entry)
-    });
+    let size = Point::<P, T>::DIM;
+    product.set_coordinates(|i| entry(rows, size, i, &vector));
     product
+}
+
+/// Writes the product of a square matrix with a vector; NaN if it has another size. No rows are those of the unit matrix.
+fn write_product<T: Real>(rows: &[f64], product: &mut [T], vector: impl Fn(usize) -> T) {
+    let size = product.len();
+    product.iter_mut().enumerate().for_each(|(i, x)| *x = entry(rows, size, i, &vector));
+}
+
+/// Returns an entry of the product of a square matrix with a vector.
+#[inline]
+fn entry<T: Real>(rows: &[f64], size: usize, i: usize, vector: &impl Fn(usize) -> T) -> T {
+    if rows.is_empty() {
+        return vector(i);
+    }
+    if rows.len() != size * size {
+        return T::from_f64(f64::NAN);
+    }
+    let row = rows.iter().skip(i * size).take(size);
+    row.enumerate().fold(T::zero(), |sum, (j, entry)| sum + vector(j) * *entry)
 }
 
 #[cfg(test)]

@@ -87,7 +87,7 @@ def lyapunov(
             same steps. The default is "reduced" where there is one, and "direct" elsewhere.
 
     Raises:
-        ValueError: if an argument is out of its range.
+        ValueError: if an argument is out of its range, or something drives, damps, shakes or forces the system.
         IntegrationError: if a step of the only run fails.
 
     Warns:
@@ -106,6 +106,8 @@ def lyapunov(
         (True, True)
     """
     tops = [] if isinstance(system, System) else natives(system)
+    if isinstance(system, System) and system._system.is_open:
+        raise ValueError("lyapunov is of systems that nothing drives, damps, shakes or forces, with a Hamiltonian without time")
     dimension = system.dimension if isinstance(system, System) else 6
     if y0 is None and not isinstance(system, System):
         raise ValueError("y0 is missing: a top is made without a start")

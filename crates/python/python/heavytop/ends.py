@@ -30,18 +30,19 @@ class Ends:
     failures: Mapping[int, str]
     error_estimate: Optional[float]
     _starts: Floats = field(repr=False)
-    _values: Callable[[Floats], dict[str, Floats]] = field(repr=False)
+    _values: Callable[[Floats, float], dict[str, Floats]] = field(repr=False)
+    _end: float = field(repr=False)
 
     @cached_property
     def invariants(self) -> dict[str, Floats]:
         """The invariants at the end by symbol, each of shape (n,)."""
-        return self._values(self.y)
+        return self._values(self.y, self._end)
 
     def deviation(self, symbol: str) -> Floats:
         """Returns |f(end) - f(0)| of an invariant for each member, shape (n,)."""
         if symbol not in self.invariants:
             raise ValueError(f"the invariants are {', '.join(self.invariants)}, got {symbol!r}")
-        return np.abs(self.invariants[symbol] - self._values(self._starts)[symbol])
+        return np.abs(self.invariants[symbol] - self._values(self._starts, 0.0)[symbol])
 
     @property
     def success(self) -> bool:

@@ -22,29 +22,29 @@ SCHEMES_OF_MANY = ("implicit-midpoint", "gauss-4", "gauss-6", "gauss-8", "gauss-
 
 @dataclass(frozen=True, eq=False)
 class InvariantsOfTops:
-    """The invariants that all runs of tops conserve from their starts, as a function of a state of each run."""
+    """The invariants that all runs of tops conserve from their starts, as a function of a state of each run and the time."""
 
     tops: tuple[_native.Top, ...]
     starts: Floats
 
-    def __call__(self, y: Floats) -> dict[str, Floats]:
+    def __call__(self, y: Floats, _: float) -> dict[str, Floats]:
         symbols, values = _native.invariants_of_tops(self.tops, self.starts.T, y.T)
         return {symbol: values[:, i] for i, symbol in enumerate(symbols)}
 
 
 @dataclass(frozen=True)
 class InvariantsOfSystem:
-    """The invariants of a system, as a function of states; NaN for those at which one of them has no value."""
+    """The invariants of a system, as a function of states and the time; NaN for those at which one of them has no value."""
 
     system: System
 
-    def __call__(self, y: Floats) -> dict[str, Floats]:
+    def __call__(self, y: Floats, t: float) -> dict[str, Floats]:
         with contextlib.suppress(ValueError):
-            return self.system.invariant_values(y)
+            return self.system.invariant_values(y, t)
         values = {symbol: np.full(y.shape[1], np.nan) for symbol in self.system.invariants}
         for i, state in enumerate(y.T):
             with contextlib.suppress(ValueError):
-                for symbol, value in self.system.invariant_values(state).items():
+                for symbol, value in self.system.invariant_values(state, t).items():
                     values[symbol][i] = value
         return values
 
@@ -69,7 +69,7 @@ def of_system(system: System, y: Floats, times: tuple[float, float], names: tupl
     last, failures = _native.advance_system(system._system, y.T, *times, method)
     members = members_of_system(system._system, y, times[0], method)
     estimate = warn_of_many(members, steps_of(times), y.shape[1], 4)
-    return Ends(last.T, dict(failures), estimate, y, InvariantsOfSystem(system))
+    return Ends(last.T, dict(failures), estimate, y, InvariantsOfSystem(system), times[1])
 
 
 def steps_of(times: tuple[float, float]) -> int:
@@ -92,6 +92,9 @@ def solve_many(
     nor on the number of threads, which the environment variable RAYON_NUM_THREADS sets before the first call of a process.
     A process that was forked, as those of `multiprocessing` may be, starts threads of its own. Ctrl-C ends the call after
     1024 steps at most.
+
+    Of a system with noise, member i has the path of that number, counted from the path that its `noise` has: many equal states are an
+    ensemble, whose means and quantiles are those of `Ends.y`.
 
     The last states of a system have the bits of those of `System.solve`. Tops are followed in the SIMD lanes of the
     processor by other arithmetic than that of `Top.solve`: the same method, from which they differ by rounding errors.
@@ -137,4 +140,4 @@ def solve_many(
         last, failures = _native.advance_tops(every, starts.T, step, end, scheme)
     members = members_of_tops(every, starts, step, ("collective", scheme, 0.0))
     estimate = warn_of_many(members, steps_of((step, end)), starts.shape[1], 3)
-    return Ends(last.T, dict(failures), estimate, starts, InvariantsOfTops(tuple(every), starts))
+    return Ends(last.T, dict(failures), estimate, starts, InvariantsOfTops(tuple(every), starts), end)

@@ -74,7 +74,8 @@ class Solution:
         error_estimate: the estimated error of the states, to two digits: the largest over the run, of each vector or scalar
             of the coordinates relative to its size. 1 means that nothing is right. It is found by a repetition of the
             beginning of the run with half the step; None if that failed. A step of partial size, as one that ends at an
-            event, is repeated as a whole one.
+            event, is repeated as a whole one. With noise it is that of the path.
+        kept: the symbols of the invariants that the motion keeps: all, unless something drives, damps, shakes or forces the system.
     """
 
     t: Floats
@@ -86,6 +87,7 @@ class Solution:
     iterations: int
     error: Optional[IntegrationError]
     error_estimate: Optional[float]
+    kept: tuple[str, ...]
     _ended_by: Optional[int] = field(repr=False)
     _run: Run = field(repr=False)
 
@@ -201,25 +203,35 @@ class Solution:
 
     def __repr__(self) -> str:
         span = f"t = {self.t[0]:g} ... {self.t[-1]:g}, {self.t.size} samples"
-        deviations = ", ".join(f"{symbol} {self.deviation(symbol):.1e}" for symbol in self.invariants)
-        return f"<Solution: {span}; {self.message}; deviations: {deviations}>"
+        deviations = ", ".join(f"{symbol} {self.deviation(symbol):.1e}" for symbol in self.kept)
+        changed = [symbol for symbol in self.invariants if symbol not in self.kept]
+        changes = ", ".join(f"{symbol} {self.deviation(symbol):.1e}" for symbol in changed)
+        texts = [f"deviations: {deviations}"] if self.kept else []
+        texts += [f"changes: {changes}"] if changed else []
+        return f"<Solution: {span}; {self.message}; {'; '.join(texts)}>"
 
 
 def solution(
-    columns: _native.Recorded, symbols: Sequence[str], run: Run, error_estimate: Optional[float], *, has_events: bool
+    columns: _native.Recorded,
+    symbols: tuple[Sequence[str], Sequence[str]],
+    run: Run,
+    error_estimate: Optional[float],
+    *,
+    has_events: bool,
 ) -> Solution:
-    """Returns the solution of the columns of a run."""
+    """Returns the solution of the columns of a run, with the symbols of its invariants, and of those that it keeps."""
     values, attitudes = columns.values, columns.attitudes
     return Solution(
         t=columns.times,
         y=columns.states.T,
-        invariants={symbol: values[:, i] for i, symbol in enumerate(symbols)},
+        invariants={symbol: values[:, i] for i, symbol in enumerate(symbols[0])},
         attitude=attitudes.T if len(attitudes) else None,
         t_events=[times for times, _ in columns.events] if has_events else None,
         y_events=[states for _, states in columns.events] if has_events else None,
         iterations=columns.iterations,
         error=columns.failure,
         error_estimate=error_estimate,
+        kept=tuple(symbols[1]),
         _ended_by=columns.ended_by,
         _run=run,
     )
@@ -238,7 +250,12 @@ def crossings(columns: _native.Recorded) -> Crossings:
 
 
 def solution_at(
-    times: Floats, states: Floats, invariants: Mapping[str, Floats], run: Run, error_estimate: Optional[float]
+    times: Floats,
+    states: Floats,
+    invariants: Mapping[str, Floats],
+    kept: Sequence[str],
+    run: Run,
+    error_estimate: Optional[float],
 ) -> Solution:
     """Returns the solution of states, as rows, at times."""
     return Solution(
@@ -251,6 +268,7 @@ def solution_at(
         iterations=0,
         error=None,
         error_estimate=error_estimate,
+        kept=tuple(kept),
         _ended_by=None,
         _run=run,
     )

@@ -35,7 +35,7 @@ class System(SystemDescription):
             "heisenberg(n)", q, p, z; "galilei", "bargmann" and "poincare(1,n)", J, K, P, H; "R3", p. Sums are "a + b", powers
             "so(3)^64" with Pi_1, Pi_2, ..., and semidirect products "so(3) |x R3" or "so(3) |x (R3 + R3)" with vectors Gamma.
             A vector `Pi` has the components `Pi1`, `Pi2` and `Pi3`.
-        hamiltonian: a formula, such as "0.5*(Pi1^2/I1 + Pi2^2/I2) + m*g*l*c·Gamma"; or a Python function of the
+        hamiltonian: also one of the time, `lambda x, t: ...` or a formula with `t` in it. A formula, such as "0.5*(Pi1^2/I1 + Pi2^2/I2) + m*g*l*c·Gamma"; or a Python function of the
             coordinates, such as `lambda x: 0.5 * x.Pi @ (x.Pi / x.I) + x.Gamma3`. A function is called once, with symbols
             instead of numbers, and computed in Rust from then on. Vectors are NumPy arrays; use the functions of NumPy or of
             `heavytop.functions`.
@@ -55,6 +55,18 @@ class System(SystemDescription):
             "so(3) |x V" or "so(3) |x (V^2 + W)"; V has the coordinates V1, V2, ...
         momenta: instead of a representation, symmetric matrices S of shape (d, 2m, 2m) of the momenta J_a = z.S_a z/2, z = (q, p). Either
             sign of the matrices will do; `realisation` tells what they obey.
+        inputs: numbers u(t) by tables, by name, each as (times, values, interpolation) with "constant", "linear" or "cubic" between
+            the times. Formulas name them, and functions of (x, t) have them as `x.u`.
+        drive: a control u, an element of the algebra, so that dmu/dt = ad*_(dh + u) mu: a number for each coordinate, as a
+            function of (x, t), as formulas, or as formulas by the names of coordinates. It keeps the Casimirs.
+        damping: the friction theta of a double bracket, which lowers h and keeps the Casimirs; or a mapping with "friction" and
+            "inner_product", a number for a multiple of the unit matrix, a diagonal, or a matrix, which algebras with several vectors need.
+        noise: noise that keeps the Casimirs, in the sense of Stratonovich: a mapping with "temperature", the energy kT, which goes with damping;
+            or "strength" and, as for damping, "inner_product"; or "fields", a list of elements as `drive`, each with a Brownian motion of its own.
+            Besides "seed" (1), "path" (0), "rule", "together" (weak order 1) or "alternating" (weak order 2), and "bound", that of the
+            increments in standard deviations (6).
+        torque: a rate F of the coordinates, dmu/dt = ad*_dh mu + F, as `drive`. It changes the Casimirs, and the system has the formulation
+            "direct" alone.
 
     Raises:
         ValueError: if the formula is none, with the place in its text; if the brackets break the Jacobi identity; if there
@@ -119,6 +131,7 @@ class System(SystemDescription):
         tolerance: float = 0.0,
         every: int = 1,
         events: Events = None,
+        path: Optional[int] = None,
     ) -> Solution:
         """Follows the system from t = 0, in equal steps. An end before 0 is reached backward in time.
 
@@ -145,6 +158,8 @@ class System(SystemDescription):
                 round-off.
             every: keep each n-th sample; the last one is always kept.
             events: functions of the state whose zeros are found; as for `Top.solve`.
+            path: of a system with noise, the number of the path: another number is another run with the same statistics. Without
+                it, the path that `noise` has.
 
         Returns:
             The samples. If a step fails, or an invariant or an event has no finite value at a later state than the start,
@@ -167,18 +182,19 @@ class System(SystemDescription):
             ((3, 101), (101,), True)
         """
         if t is not None:
-            return self._solve_at(y0, t, step, end, (formulation, scheme, tolerance), (every, events))
+            return self._solve_at(y0, t, step, end, (formulation, scheme, tolerance), (every, events), path)
         if step is None or end is None:
             raise ValueError("write either t, or step and end")
         step, end = course(step, end)
-        run = self._run(y0, step, (formulation, scheme, tolerance))
+        run = self._run(y0, step, (formulation, scheme, tolerance), path)
         watched = self._watched(events)
-        columns = self._system.follow(run.setting, end, whole("every", every, 1), watched)
-        estimate = warn_of_accuracy(self._system, run.setting, run.steps(columns.times), 3)
+        columns = run.native.follow(run.setting, end, whole("every", every, 1), watched)
+        estimate = warn_of_accuracy(run.native, run.setting, run.steps(columns.times), 3)
         self._warn_of_end(columns.states, 3)
-        return self._solved(solution(columns, self.invariants, run, estimate, has_events=events is not None))
+        symbols = (self.invariants, self.kept)
+        return self._solved(solution(columns, symbols, run, estimate, has_events=events is not None))
 
-    def _solve_at(self, y0: Optional[State], t: ArrayLike, step: Any, end: Any, names: Any, others: tuple[int, Events]) -> Solution:
+    def _solve_at(self, y0: Optional[State], t: ArrayLike, step: Any, end: Any, names: Any, others: tuple[int, Events], path: Optional[int]) -> Solution:
         times = array("t", t)
         if end is not None or others != (1, None):
             raise ValueError("end, every and events go with step, not with t: write step and end instead of t")
@@ -191,16 +207,16 @@ class System(SystemDescription):
                 raise ValueError("step is missing: the times t are not equally spaced from 0")
         # Times that are all 0 have no direction, and make no step.
         step, _ = course(step, last or step)
-        run = self._run(y0, step, names)
-        states = self._system.states_at(run.setting, times.tolist())
-        estimate = warn_of_accuracy(self._system, run.setting, run.steps(times), 4)
+        run = self._run(y0, step, names, path)
+        states = run.native.states_at(run.setting, times.tolist())
+        estimate = warn_of_accuracy(run.native, run.setting, run.steps(times), 4)
         self._warn_of_end(states, 4)
         try:
-            values = self.invariant_values(states.T)
+            values = self.invariant_values(states.T, times)
         except ValueError as error:
             # At the start they have values, or there would be no states.
             raise IntegrationError(*error.args) from None
-        return self._solved(solution_at(times, states, values, run, estimate))
+        return self._solved(solution_at(times, states, values, self.kept, run, estimate))
 
     def section(
         self,
@@ -259,8 +275,9 @@ class System(SystemDescription):
     def _solved(self, run: Solution) -> Solution:
         return run
 
-    def _run(self, y0: Optional[State], step: float, method: tuple[Any, Any, Any]) -> Run:
-        return Run(self._system, (self._start(y0).tolist(), step, self._method(*method)), self._names)
+    def _run(self, y0: Optional[State], step: float, method: tuple[Any, Any, Any], path: Optional[int] = None) -> Run:
+        native = self._system if path is None else self._system.on_path(whole("path", path, 0))
+        return Run(native, (self._start(y0).tolist(), step, self._method(*method)), self._names)
 
 
 def is_course(times: Floats) -> bool:

@@ -13,6 +13,7 @@ from .algebras import Algebra, Brackets, algebra_source, native_parameters
 from .arguments import array, choice, real
 from .events import Function, function_source
 from .methods import SCHEMES, tolerance_of
+from .open_terms import Element, Inputs, OpenNames, depends_on_time, native_inputs, native_open
 from .realisation import Realisation, realisation
 from .solution import Floats, names_of_groups
 
@@ -42,7 +43,18 @@ class SystemDescription:
         representation: Optional[ArrayLike] = None,
         momenta: Optional[ArrayLike] = None,
         representations: Optional[Mapping[str, ArrayLike]] = None,
+        inputs: Optional[Inputs] = None,
+        drive: Optional[Element] = None,
+        damping: Union[None, float, Mapping[str, Any]] = None,
+        noise: Optional[Mapping[str, Any]] = None,
+        torque: Optional[Element] = None,
     ) -> None:
+        tables = native_inputs(inputs)
+        forces = (drive, damping, noise, torque)
+
+        def opened(names: Mapping[str, slice]) -> OpenNames:
+            return OpenNames(names, self._parameters, [name for name, *_ in tables])
+
         self._numbers, self._parameters = native_parameters(parameters or {})
         given = Algebra(algebra, coordinates, brackets, structure_constants, representations)
         self._kind = None if kind is None else str(kind)
@@ -50,17 +62,24 @@ class SystemDescription:
             others = (hamiltonian, bracket, representation, momenta, *given)
             if any(part is not None for part in others):
                 raise ValueError("a kind has its algebra and its Hamiltonian: write neither, or leave out kind")
-            self._system = _native.System((self._kind,), None, self._numbers, False, None)
+            self._system = _native.System((self._kind,), None, self._numbers, False, None, None)
             self._names = names_of_groups(self._system.groups)
+            if tables or any(part is not None for part in forces):
+                terms = native_open(opened(self._names), tables, *forces)
+                self._system = _native.System((self._kind,), None, self._numbers, False, None, terms)
         else:
             if hamiltonian is None:
                 raise ValueError("hamiltonian is missing: a formula or a function of the coordinates")
             source = algebra_source(given)
             self._names = names_of_groups(_native.coordinate_groups(source, self._numbers))
-            function = function_source("hamiltonian", hamiltonian, self._names, self._parameters)
+            if tables or any(part is not None for part in forces) or depends_on_time(hamiltonian, self._parameters):
+                names = opened(self._names)
+                function, terms = names.scalar("hamiltonian", hamiltonian), native_open(names, tables, *forces)
+            else:
+                function, terms = function_source("hamiltonian", hamiltonian, self._names, self._parameters), None
             is_plus = choice("bracket", bracket or "minus", ("minus", "plus")) == "plus"
             own = realisation(representation, momenta)
-            self._system = _native.System(source, function, self._numbers, is_plus, own)
+            self._system = _native.System(source, function, self._numbers, is_plus, own, terms)
         self._algebra = algebra or self._kind or "brackets"
 
     @property
@@ -108,8 +127,13 @@ class SystemDescription:
 
     @property
     def invariants(self) -> tuple[str, ...]:
-        """The symbols of what is conserved: "h", and "c1" and so on for the Casimirs."""
+        """The symbols of h and of the Casimirs, "c1" and so on, which a closed system conserves."""
         return ("h", *self.casimirs)
+
+    @property
+    def kept(self) -> tuple[str, ...]:
+        """The symbols of those that the motion keeps. A drive, damping or noise changes h, and a torque the Casimirs, too."""
+        return tuple(symbol for symbol, is_kept in zip(self.invariants, self._system.kept) if is_kept)
 
     @property
     def formulations(self) -> tuple[str, ...]:
@@ -124,16 +148,17 @@ class SystemDescription:
             constants[i, j, k], constants[j, i, k] = value, -value
         return constants
 
-    def invariant_values(self, y: ArrayLike) -> dict[str, Floats]:
-        """Returns h and the Casimirs of states of shape (d,) or (d, n), by symbol."""
+    def invariant_values(self, y: ArrayLike, t: ArrayLike = 0.0) -> dict[str, Floats]:
+        """Returns h and the Casimirs of states of shape (d,) or (d, n), by symbol, at one time or at n."""
         states = self._states("y", y)
-        values = self._system.invariant_values(states.reshape(self.dimension, -1).T)
+        rows = states.reshape(self.dimension, -1).T
+        values = self._system.invariant_values(rows, np.broadcast_to(array("t", t), len(rows)).tolist())
         return {name: values[:, i].reshape(states.shape[1:]) for i, name in enumerate(self.invariants)}
 
-    def rate(self, y: ArrayLike) -> Floats:
-        """Returns dmu/dt at states of shape (d,) or (d, n), in the same shape."""
-        states = self._states("y", y)
-        return self._system.rates(states.reshape(self.dimension, -1).T).T.reshape(states.shape)
+    def rate(self, y: ArrayLike, t: float = 0.0) -> Floats:
+        """Returns dmu/dt at states of shape (d,) or (d, n), in the same shape; with noise the drift in Stratonovich's sense."""
+        states, time = self._states("y", y), real("t", t)
+        return self._system.rates(states.reshape(self.dimension, -1).T, time).T.reshape(states.shape)
 
     def _method(self, formulation: Any, scheme: Any, tolerance: Any) -> tuple[Optional[str], str, float]:
         if formulation is not None:

@@ -141,7 +141,7 @@ class Top(TopParameters):
         columns = self._top.follow(run.setting, end, every, followed, watched)
         symbols = self._top.invariants_from(np.array([run.setting[0]]))
         estimate = warn_of_accuracy(self._top, run.setting, run.steps(columns.times), 3)
-        found = solution(columns, symbols, run, estimate, has_events=events is not None)
+        found = solution(columns, (symbols, symbols), run, estimate, has_events=events is not None)
         return TopSolution(**{field.name: getattr(found, field.name) for field in fields(Solution)})
 
     def report(

@@ -79,7 +79,27 @@ def trace(
         parameters: numbers and arrays by name.
     """
     traced = Trace()
-    value = function(StateSymbols(traced, names, parameters))
+    return parts_of(name, function(StateSymbols(traced, names, parameters)), traced)
+
+
+def trace_element(
+    name: str,
+    function: Callable[[Any], Any],
+    names: Mapping[str, slice],
+    parameters: Mapping[str, Any],
+    size: int,
+) -> list[list[Part]]:
+    """Returns the parts of each component of a function with so many, as `trace` does; it is called once."""
+    traced = Trace()
+    values = function(StateSymbols(traced, names, parameters))
+    values = [values] if isinstance(values, Symbol) or np.ndim(values) == 0 else np.concatenate([np.atleast_1d(v) for v in values])
+    if len(values) != size:
+        raise ValueError(f"{name} must return {size} numbers, one for each coordinate, got {len(values)}")
+    return [parts_of(f"{name}, component {i}", value, traced) for i, value in enumerate(values, 1)]
+
+
+def parts_of(name: str, value: Any, traced: Trace) -> list[Part]:
+    """Returns the parts of a value that a traced function has returned."""
     if isinstance(value, np.ndarray) and value.shape == ():
         value = value[()]
     if isinstance(value, Symbol) and value._trace is traced:

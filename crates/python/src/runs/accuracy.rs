@@ -3,6 +3,7 @@
 use crate::errors::{failed, refused};
 use collective_integrators::RunError;
 use collective_integrators::diagnostics::{RunAccuracy, StepCheck};
+use lie_poisson_runs::Model;
 use pyo3::PyResult;
 use pyo3::exceptions::{PyArithmeticError, PyKeyboardInterrupt};
 
@@ -13,8 +14,8 @@ pub(crate) type Accuracy = (f64, Option<f64>, Option<String>);
 pub(crate) type Check = (f64, Option<f64>);
 
 /// Returns the accuracy of a run.
-pub(crate) fn accuracy(measured: RunAccuracy) -> Accuracy {
-    (measured.angle, measured.error, measured.warning())
+pub(crate) fn accuracy(model: &dyn Model, measured: RunAccuracy) -> Accuracy {
+    (measured.angle, measured.error, model.accuracy_warning(&measured))
 }
 
 /// Returns the result of a check, or the error of the step that failed.

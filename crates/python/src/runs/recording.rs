@@ -117,9 +117,9 @@ impl Recording<'_> {
     /// Keeps a sample. If a quantity has no finite value there, the run has failed, and only its start is kept.
     fn keep(&self, sample: &Sample, record: &mut Record) {
         let (momentum, before) = (sample.momentum.as_slice(), record.values.len());
-        self.conserved.append(momentum, &mut record.values);
+        self.conserved.append(sample.time, momentum, &mut record.values);
         if record.values.iter().skip(before).any(|value| !value.is_finite()) {
-            let reason = self.conserved.without_value(momentum);
+            let reason = self.conserved.without_value(sample.time, momentum);
             let text = format!("at t = {}: {reason}", sample.time);
             record.failure = Some(IntegrationError::new_err(text));
             if before > 0 {

@@ -50,6 +50,18 @@ impl Arrays {
         self.system.conserved(&[]).names()
     }
 
+    /// Whether something drives, damps, shakes or forces the system: nothing does.
+    #[getter]
+    fn is_open(&self) -> bool {
+        false
+    }
+
+    /// Whether the motion keeps each of them: it does.
+    #[getter]
+    fn kept(&self) -> Vec<bool> {
+        vec![true; self.invariants().len()]
+    }
+
     /// The Hamiltonian as text.
     #[getter]
     fn hamiltonian(&self) -> Option<String> {
@@ -79,16 +91,18 @@ impl Arrays {
         Ok(PyArray1::from_vec(py, state))
     }
 
-    /// Returns what is conserved of each of n states, as n rows.
+    /// Returns what is conserved of each of n states, as n rows, which does not depend on the time.
+    #[pyo3(signature = (states, _times=None))]
     fn invariant_values<'py>(
         &self,
         py: Python<'py>,
         states: PyReadonlyArray2<'py, f64>,
+        _times: Option<Vec<f64>>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let conserved = self.system.conserved(&[]);
         self.each(py, &states, |given| {
             let state = Model::start(&self.system, given)?;
-            let values = conserved.values(&state);
+            let values = conserved.values(0.0, &state);
             values.map_err(|reason| RunFailure::NoValue { time: 0.0, reason })
         })
     }
@@ -107,11 +121,13 @@ impl Arrays {
         })
     }
 
-    /// Returns the rate of each of n states, as n rows.
+    /// Returns the rate of each of n states, as n rows, which does not depend on the time.
+    #[pyo3(signature = (states, _time=0.0))]
     fn rates<'py>(
         &self,
         py: Python<'py>,
         states: PyReadonlyArray2<'py, f64>,
+        _time: f64,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         self.each(py, &states, |given| self.system.rate(given))
     }

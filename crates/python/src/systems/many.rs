@@ -1,19 +1,20 @@
 //! Many states of one system at once, on all threads.
 
 use super::arrays::Arrays;
+use super::open::ModelOfRun;
 use super::system::System;
 use crate::arrays::rows;
 use crate::errors::{message, refused};
 use crate::indicators::{Indicators, Times, growth_of_models};
 use crate::runs::following::MethodArgument;
 use crate::runs::interruption::until_interrupted;
-use collective_integrators::{AnyIntegrator, AnyState, CHECKPOINT, Start};
+use collective_integrators::{AnyIntegrator, AnyState, CHECKPOINT, Integrator, Start};
 use core::sync::atomic::{AtomicBool, Ordering};
 use heavytop::methods::{Formulation, Method};
 use lie_poisson_runs::{Model, RunFailure, Schedule};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::{Bound, FromPyObject, PyRef, PyResult, Python, pyfunction};
-use rayon::iter::ParallelIterator;
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSlice;
 
 /// The number of runs that share an integrator.
@@ -29,10 +30,11 @@ pub enum AnySystem<'py> {
 }
 
 impl AnySystem<'_> {
-    fn model(&self) -> &dyn Model {
+    /// Returns the model of runs with steps of a size.
+    fn model(&self, step: f64) -> PyResult<ModelOfRun<'_>> {
         match self {
-            Self::Formula(system) => &system.system,
-            Self::Arrays(arrays) => &arrays.system,
+            Self::Formula(system) => system.model(step),
+            Self::Arrays(arrays) => Ok(ModelOfRun::Arrays(&arrays.system)),
         }
     }
 
@@ -64,15 +66,20 @@ pub fn advance_system<'py>(
     end: f64,
     method: MethodArgument,
 ) -> PyResult<EndArrays<'py>> {
-    let (method, model) = (system.method(method)?, system.model());
+    let (method, model) = (system.method(method)?, system.model(step)?);
+    model.require_until(end)?;
+    let model = &*model;
     let steps = Schedule::new(step, end).map_err(refused)?.steps;
     let starts = states.as_array();
     let starts = starts.outer_iter().map(|row| model.start(&row.to_vec()).map_err(refused));
     let starts: Vec<Vec<f64>> = starts.collect::<PyResult<_>>()?;
     let shared = if system.is_by_clebsch_map(&method) { 1 } else { SHARED };
     let ends: Vec<Vec<End>> = until_interrupted(py, |stop| {
-        let some = |starts: &[Vec<f64>]| Ends { model, starts, step, steps, stop }.all(&method);
-        starts.par_chunks(shared).map(some).collect()
+        let some = |(chunk, starts): (usize, &[Vec<f64>])| {
+            let first = chunk * shared;
+            Ends { model, starts, first, step, steps, stop }.all(&method)
+        };
+        starts.par_chunks(shared).enumerate().map(some).collect()
     })?;
     let ends = ends.into_iter().flatten();
     let (mut last, mut failures) = (Vec::new(), Vec::new());
@@ -91,6 +98,8 @@ type End = (Vec<f64>, Option<String>);
 struct Ends<'a> {
     model: &'a dyn Model,
     starts: &'a [Vec<f64>],
+    /// The number of the first of them among all.
+    first: usize,
     step: f64,
     steps: u64,
     /// Set by others if the task is to end.
@@ -103,7 +112,8 @@ impl Ends<'_> {
         let first = self.starts.first().map(Vec::as_slice).unwrap_or_default();
         match self.model.integrator(method, first) {
             Ok(integrator) => {
-                self.starts.iter().map(|start| self.end(&integrator, start)).collect()
+                let starts = (self.first..).zip(self.starts);
+                starts.map(|(member, start)| self.end(&integrator, start, member)).collect()
             }
             Err(error) => {
                 let failed = |start: &Vec<f64>| (start.clone(), Some(message(&error)));
@@ -112,17 +122,22 @@ impl Ends<'_> {
         }
     }
 
-    fn end(&self, integrator: &AnyIntegrator, start: &[f64]) -> End {
-        let mut run = match integrator.trajectory(&AnyState::from_slice(start), self.step) {
-            Ok(run) => run,
+    fn end(&self, integrator: &AnyIntegrator, start: &[f64], member: usize) -> End {
+        let from = AnyState::from_slice(start);
+        let mut state = match integrator.start(&from) {
+            Ok(state) => state,
             Err(error) => return (start.to_vec(), Some(message(&error))),
         };
-        let mut last = start.to_vec();
+        // Each member has a path of the noise of its own.
+        self.model.move_path(state.as_mut_slice(), member as u64);
+        let mut run = integrator.trajectory_from(state, self.step).through(from);
+        let (mut at, mut last) = (0.0, start.to_vec());
         // The first sample is the start.
         run.next();
         for made in 1..=self.steps {
             match run.next() {
                 Some(Ok(sample)) => {
+                    at = sample.time;
                     last.clear();
                     last.extend_from_slice(sample.momentum.as_slice());
                 }
@@ -133,7 +148,7 @@ impl Ends<'_> {
                 break;
             }
         }
-        let reason = self.model.conserved(start).values(&last).err();
+        let reason = self.model.conserved(start).values(at, &last).err();
         (last, reason)
     }
 }
@@ -148,7 +163,9 @@ pub fn growth_of_system(
     method: MethodArgument,
     exponents: Option<usize>,
 ) -> PyResult<Indicators> {
-    let (method, model) = (system.method(method)?, system.model());
+    let (method, model) = (system.method(method)?, system.model(times.0)?);
+    model.require_until(times.1)?;
+    let model = &*model;
     let starts: Vec<Vec<f64>> = states.as_array().outer_iter().map(|row| row.to_vec()).collect();
     let first = starts.first().map(Vec::as_slice).unwrap_or_default();
     if let Err(error @ RunFailure::NoTangents { .. }) = model.tangent_integrator(&method, first) {

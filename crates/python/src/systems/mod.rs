@@ -4,3 +4,4 @@ pub(crate) mod algebra;
 pub(crate) mod arrays;
 pub(crate) mod system;
 pub(crate) mod many;
+pub(crate) mod open;

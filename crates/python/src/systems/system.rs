@@ -3,19 +3,23 @@
 use super::algebra::{
     AlgebraSource, Groups, ParameterArgument, Realisation, groups, parameters, realised,
 };
+use super::open::{ModelOfRun, OpenArgument, inputs, terms};
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::formulas::{FormulaSource, expressions};
 use crate::recorded::Recorded;
 use crate::runs::accuracy::{Accuracy, Check};
 use crate::runs::event::{Event, EventArgument};
+
 use crate::runs::following::{Following, MethodArgument, Setting};
 use crate::runs::interruption::until_interrupted;
 use collective_integrators::diagnostics::SystemScales;
 use core::sync::atomic::Ordering;
-use heavytop::methods::{Method, MethodError};
-use lie_poisson_formula_systems::{FormulaSystem, FormulaSystemError, SystemKind, Verdict};
-use lie_poisson_formulas::Vocabulary;
+use heavytop::methods::{Formulation, Method, MethodError};
+use lie_poisson_formula_systems::{
+    FormulaSystem, FormulaSystemError, OpenNames, OpenSystem, OpenTerms, SystemKind, Verdict,
+};
+use lie_poisson_formulas::{Parameters, Vocabulary};
 use lie_poisson_runs::Model;
 use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -24,16 +28,25 @@ use pyo3::{Bound, PyResult, Python, pyclass, pymethods};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// A Lie–Poisson system: an algebra, a Hamiltonian, and the Casimirs that were found.
+#[derive(Clone)]
 #[pyclass(frozen, module = "heavytop._native")]
 pub struct System {
     pub(crate) system: FormulaSystem,
+    /// What makes it an open system.
+    terms: Option<OpenTerms>,
     names: Vocabulary,
     source: Source,
 }
 
 /// The arguments from which a system is made; a system by name has no Hamiltonian of its own.
-type Source =
-    (AlgebraSource, Option<FormulaSource>, Vec<ParameterArgument>, bool, Option<Realisation>);
+type Source = (
+    AlgebraSource,
+    Option<FormulaSource>,
+    Vec<ParameterArgument>,
+    bool,
+    Option<Realisation>,
+    Option<OpenArgument>,
+);
 
 #[pymethods]
 impl System {
@@ -46,8 +59,11 @@ impl System {
         arguments: Vec<ParameterArgument>,
         has_plus_bracket: bool,
         realisation: Option<Realisation>,
+        open: Option<OpenArgument>,
     ) -> PyResult<Self> {
         let given = parameters(&arguments)?;
+        let inputs = inputs(open.as_ref().map_or(&[], |open| &open.0))?;
+        let (mut in_time, mut described) = (None, None);
         let system = match (&algebra, &hamiltonian) {
             (AlgebraSource::OfKind((name,)), None) => {
                 let kind = SystemKind::named(name).map_err(refused)?;
@@ -59,16 +75,39 @@ impl System {
                     Some(realisation) => realised(named, realisation)?,
                     None => named,
                 };
-                let names = named.vocabulary(&given).map_err(refused)?;
+                let names = match &open {
+                    None => None,
+                    Some(_) => Some(
+                        OpenNames::new(named.clone(), &inputs, given.clone()).map_err(refused)?,
+                    ),
+                };
+                let plain = named.vocabulary(&given).map_err(refused)?;
+                let vocabulary = names.as_ref().map_or(&plain, OpenNames::vocabulary);
                 // A formula that is refused is refused here, with its text.
-                hamiltonian.formula(&names)?;
-                let system = match hamiltonian {
-                    FormulaSource::Text(text) => FormulaSystem::new(named, text, &given),
+                let formula = hamiltonian.formula(vocabulary)?;
+                let traced = match hamiltonian {
+                    FormulaSource::Text(_) => None,
                     FormulaSource::Traced(parts) => {
-                        let (parts, value) = expressions(parts, names.coordinates())?;
-                        FormulaSystem::of_expressions(named, &parts, value, &given)
+                        Some(expressions(parts, vocabulary.coordinates())?)
                     }
                 };
+                let made = |parameters: &Parameters| match (hamiltonian, &traced) {
+                    (FormulaSource::Text(text), _) => {
+                        FormulaSystem::new(named.clone(), text, parameters)
+                    }
+                    (_, Some((parts, value))) => {
+                        FormulaSystem::of_expressions(named.clone(), parts, *value, parameters)
+                    }
+                    (_, None) => FormulaSystem::new(named.clone(), "", parameters),
+                };
+                let system = match &names {
+                    None => made(&given),
+                    Some(names) => names.system_by(formula, made).map(|(system, formula)| {
+                        in_time = formula;
+                        system
+                    }),
+                };
+                described = names;
                 let system = match has_plus_bracket {
                     true => system.and_then(FormulaSystem::with_plus_bracket),
                     false => system,
@@ -80,8 +119,19 @@ impl System {
         };
         // What the user has given has names in events, too.
         let names = system.algebra().vocabulary(&given).map_err(refused)?;
-        let source = (algebra, hamiltonian, arguments, has_plus_bracket, realisation);
-        Ok(Self { system, names, source })
+        let terms = match &open {
+            None => None,
+            Some(open) => {
+                let own = || OpenNames::new(system.algebra().clone(), &inputs, given.clone());
+                let described = described.map_or_else(own, Ok).map_err(refused)?;
+                let terms = terms(&described, inputs, in_time, open)?;
+                // What does not fit is refused here, whatever the step will be.
+                OpenSystem::new(system.clone(), terms.clone(), 1.0).map_err(refused)?;
+                Some(terms)
+            }
+        };
+        let source = (algebra, hamiltonian, arguments, has_plus_bracket, realisation, open);
+        Ok(Self { system, terms, names, source })
     }
 
     /// The names of the scalars and vectors of coordinates, with their dimensions; 0 for a scalar.
@@ -126,10 +176,51 @@ impl System {
         entries.map(|entry| (entry.i, entry.j, entry.k, entry.value)).collect()
     }
 
+    /// Whether the motion keeps h and each of the Casimirs.
+    #[getter]
+    fn kept(&self) -> PyResult<Vec<bool>> {
+        let model = self.model(1.0)?;
+        let conserved = model.conserved(&[]);
+        Ok(conserved.names().iter().map(|name| conserved.is_kept(name)).collect())
+    }
+
+    /// Returns the system on another path of its noise.
+    fn on_path(&self, path: u64) -> PyResult<Self> {
+        let mut other = self.clone();
+        let of_terms = other.terms.as_mut().and_then(|terms| terms.noise.as_mut());
+        let of_source = other.source.5.as_mut().and_then(|open| open.3.as_mut());
+        let (Some(noise), Some((_, (_, source, _), _))) = (of_terms, of_source) else {
+            let text = "path is of systems with noise, and this one has none";
+            return Err(PyValueError::new_err(text));
+        };
+        (noise.path, *source) = (path, path);
+        Ok(other)
+    }
+
+    /// Whether the Hamiltonian depends on the time, or something drives, damps, shakes or forces the system.
+    #[getter]
+    fn is_open(&self) -> bool {
+        self.terms.is_some()
+    }
+
     /// The formulations that the algebra has, the default one first.
     #[getter]
     fn formulations(&self) -> Vec<String> {
         let algebra = self.system.algebra();
+        if let Some(terms) = &self.terms {
+            let first = match terms.torque {
+                Some(_) => Formulation::Direct,
+                None => algebra.default_formulation(),
+            };
+            let both = [Formulation::Collective, Formulation::Direct];
+            let has = |other: &Formulation| {
+                *other != first
+                    && terms.torque.is_none()
+                    && algebra.formulations().any(|own| own == *other)
+            };
+            let all = core::iter::once(first).chain(both.into_iter().filter(has));
+            return all.map(|f| f.name().to_owned()).collect();
+        }
         let first = algebra.default_formulation();
         let others = algebra.formulations().filter(|other| *other != first);
         core::iter::once(first).chain(others).map(|f| f.name().to_owned()).collect()
@@ -144,22 +235,41 @@ impl System {
         Some((is_plus, defect, rank, odd_powers))
     }
 
-    /// Returns h and the Casimirs of each of n states, as n rows.
+    /// Returns h and the Casimirs of each of n states, as n rows; at these times, or at 0.
+    #[pyo3(signature = (states, times=None))]
     fn invariant_values<'py>(
         &self,
         py: Python<'py>,
         states: PyReadonlyArray2<'py, f64>,
+        times: Option<Vec<f64>>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.each(py, &states, 1 + self.system.casimirs().len(), FormulaSystem::invariants)
+        let width = 1 + self.system.casimirs().len();
+        if self.terms.is_none() {
+            return self.each(py, &states, width, |_, state| {
+                self.system.invariants(state).map_err(refused)
+            });
+        }
+        let model = self.model(1.0)?;
+        let conserved = model.conserved(&[]);
+        self.each(py, &states, width, |i, state| {
+            let time = times.as_ref().and_then(|times| times.get(i)).copied().unwrap_or(0.0);
+            conserved.values(time, state).map_err(PyValueError::new_err)
+        })
     }
 
-    /// Returns the rate of each of n states, as n rows.
+    /// Returns the rate of each of n states, as n rows, at a time; with noise the drift.
+    #[pyo3(signature = (states, time=0.0))]
     fn rates<'py>(
         &self,
         py: Python<'py>,
         states: PyReadonlyArray2<'py, f64>,
+        time: f64,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.each(py, &states, self.system.algebra().dimension(), FormulaSystem::rate)
+        let model = self.model(1.0)?;
+        self.each(py, &states, self.system.algebra().dimension(), |_, state| match &model {
+            ModelOfRun::Open(open) => open.rate(state, time).map_err(refused),
+            _ => self.system.rate(state).map_err(refused),
+        })
     }
 
     /// Returns the fastest rate of the motion through each of n states, as rows. It finds eigenvalues, on all threads.
@@ -189,8 +299,10 @@ impl System {
         events: Vec<EventArgument>,
     ) -> PyResult<Recorded> {
         let events = Event::all(&events, &self.names, None)?;
-        let run = self.following(&setting)?;
-        self.system.invariants(&setting.0).map_err(refused)?;
+        let model = self.model(setting.1)?;
+        model.require_until(end)?;
+        let run = self.following(&model, &setting)?;
+        model.conserved(&setting.0).values(0.0, &setting.0).map_err(PyValueError::new_err)?;
         let (record, widths) = run.record(py, (end, every), &events, None)?;
         Recorded::new(py, record, widths)
     }
@@ -203,12 +315,14 @@ impl System {
 
     /// Measures how accurate a run of so many steps is: the angle of a step (rad), the estimated error, and a warning.
     fn accuracy(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Accuracy> {
-        self.following(&setting)?.accuracy(py, steps)
+        let model = self.model(setting.1)?;
+        self.following(&model, &setting)?.accuracy(py, steps)
     }
 
     /// Checks a run of so many steps by half the step and twice the step, and returns the error and the order.
     fn check(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Check> {
-        self.following(&setting)?.check(py, steps)
+        let model = self.model(setting.1)?;
+        self.following(&model, &setting)?.check(py, steps)
     }
 
     /// Returns the states at times in the order of the run, as rows.
@@ -218,14 +332,25 @@ impl System {
         setting: Setting,
         times: Vec<f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.following(&setting)?.states_at(py, &times)
+        let model = self.model(setting.1)?;
+        model.require_until(times.last().copied().unwrap_or(0.0))?;
+        self.following(&model, &setting)?.states_at(py, &times)
     }
 }
 
 impl System {
+    /// Returns the model of a run with steps of a size.
+    pub(crate) fn model(&self, step: f64) -> PyResult<ModelOfRun<'_>> {
+        ModelOfRun::new(&self.system, self.terms.as_ref(), step)
+    }
+
     /// Returns what is done along the run of a setting.
-    fn following(&self, (start, step, method): &Setting) -> PyResult<Following<'_>> {
-        Following::new(&self.system, self.method(method.clone())?, (start, *step))
+    fn following<'a>(
+        &self,
+        model: &'a ModelOfRun<'_>,
+        (start, step, method): &Setting,
+    ) -> PyResult<Following<'a>> {
+        Following::new(&**model, self.method(method.clone())?, (start, *step))
     }
 
     /// Returns the method of these names.
@@ -237,10 +362,16 @@ impl System {
         let method = || -> Result<Method, FormulaSystemError> {
             let formulation = match formulation {
                 Some(name) => name.parse().map_err(MethodError::from)?,
-                None => algebra.default_formulation(),
+                None => match &self.terms {
+                    Some(terms) if terms.torque.is_some() => Formulation::Direct,
+                    _ => algebra.default_formulation(),
+                },
             };
             let scheme = scheme.parse().map_err(MethodError::from)?;
-            algebra.method(formulation, scheme, tolerance)
+            match self.model(1.0) {
+                Ok(ModelOfRun::Open(open)) => open.method(formulation, scheme, tolerance),
+                _ => algebra.method(formulation, scheme, tolerance),
+            }
         };
         method().map_err(refused)
     }
@@ -251,11 +382,11 @@ impl System {
         py: Python<'py>,
         states: &PyReadonlyArray2<'py, f64>,
         width: usize,
-        function: impl Fn(&FormulaSystem, &[f64]) -> Result<Vec<f64>, FormulaSystemError>,
+        function: impl Fn(usize, &[f64]) -> PyResult<Vec<f64>>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let mut values = Vec::with_capacity(states.len());
-        for state in states.as_array().outer_iter() {
-            values.extend(function(&self.system, &state.to_vec()).map_err(refused)?);
+        for (i, state) in states.as_array().outer_iter().enumerate() {
+            values.extend(function(i, &state.to_vec())?);
         }
         rows(py, values, [states.as_array().nrows(), width])
     }

@@ -231,16 +231,16 @@ impl Conserved for Invariants<'_> {
         self.0.system.invariant_names()
     }
 
-    fn append(&self, momentum: &[f64], values: &mut Vec<f64>) {
+    fn append(&self, _time: f64, momentum: &[f64], values: &mut Vec<f64>) {
         match self.0.fits(momentum) {
             true => self.0.system.invariants(momentum, values),
             false => values.extend(self.names().iter().map(|_| f64::NAN)),
         }
     }
 
-    fn without_value(&self, momentum: &[f64]) -> String {
+    fn without_value(&self, time: f64, momentum: &[f64]) -> String {
         let (mut values, names) = (Vec::new(), self.names());
-        self.append(momentum, &mut values);
+        self.append(time, momentum, &mut values);
         let found = names.iter().zip(&values).find(|(_, value)| !value.is_finite());
         found.map_or("a conserved quantity has no value".into(), |(name, value)| {
             format!("{name} is {value}")

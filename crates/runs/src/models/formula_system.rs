@@ -98,12 +98,12 @@ impl Conserved for Invariants<'_> {
         ["h".to_owned()].into_iter().chain(casimirs).collect()
     }
 
-    fn append(&self, momentum: &[f64], values: &mut Vec<f64>) {
+    fn append(&self, _time: f64, momentum: &[f64], values: &mut Vec<f64>) {
         values.extend(self.0.conserved_functions().map(|function| function.value_at(momentum)));
     }
 
     /// Names the formula, its part without a value, and the state.
-    fn without_value(&self, momentum: &[f64]) -> String {
+    fn without_value(&self, _time: f64, momentum: &[f64]) -> String {
         let invariants = self.0.invariants(momentum);
         invariants.map_or_else(|reason| reason.to_string(), |_| "an invariant is not finite".into())
     }

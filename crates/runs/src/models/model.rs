@@ -67,6 +67,20 @@ pub trait Model: SystemScales + fmt::Debug + Send + Sync {
         Err(RunFailure::NoBody { algebra: self.algebra_name() })
     }
 
+    /// Returns the order with which runs of a method converge: that of the scheme, and with noise that of its paths.
+    fn order(&self, method: &Method) -> u16 {
+        method.scheme().order()
+    }
+
+    /// Returns the seed and the number of the path of a motion with noise.
+    fn noise(&self) -> Option<(u64, u64)> {
+        None
+    }
+
+    /// Moves a state of an integrator without attitude so many paths on from the path of the [noise](Self::noise), if there is
+    /// noise: for members of an ensemble.
+    fn move_path(&self, _state: &mut [f64], _on: u64) {}
+
     /// Returns the number of steps after which a run can be interrupted and resumed with the same bits: a power of two up to
     /// [`CHECKPOINT`]. The integrators of the model forget what they know of earlier steps at its multiples.
     fn resumable_after(&self) -> u64 {
@@ -180,8 +194,18 @@ impl dyn Model + '_ {
         steps: (f64, u64),
         going: &dyn Fn() -> bool,
     ) -> Result<RunAccuracy, RunFailure> {
-        let (integrator, order) = (self.integrator(method, start)?, method.scheme().order());
+        let (integrator, order) = (self.integrator(method, start)?, self.order(method));
         Ok(run_accuracy(&integrator, self, start, steps, order, going))
+    }
+
+    /// Returns the [warning](RunAccuracy::warning) about the accuracy of a run. With noise it is about long steps alone: single
+    /// paths converge slowly, and means over many, for which they are made, do not need them.
+    #[must_use]
+    pub fn accuracy_warning(&self, accuracy: &RunAccuracy) -> Option<String> {
+        match self.noise() {
+            None => accuracy.warning(),
+            Some(_) => RunAccuracy { error: None, chaos: None, ..*accuracy }.warning(),
+        }
     }
 
     /// Checks a whole run of `steps` steps of size `step` from a start by runs with half the step and with twice the step:
@@ -196,7 +220,7 @@ impl dyn Model + '_ {
         steps: (f64, u64),
         going: &dyn Fn() -> bool,
     ) -> Result<Result<Option<StepCheck>, RunError>, RunFailure> {
-        let (integrator, order) = (self.integrator(method, start)?, method.scheme().order());
+        let (integrator, order) = (self.integrator(method, start)?, self.order(method));
         Ok(check_by_half_steps(&integrator, self, start, steps, order, going))
     }
 }

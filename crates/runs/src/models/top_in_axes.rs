@@ -173,12 +173,12 @@ impl Conserved for Invariants<'_> {
         self.list.iter().map(|invariant| invariant.symbol().into()).collect()
     }
 
-    fn append(&self, momentum: &[f64], values: &mut Vec<f64>) {
+    fn append(&self, _time: f64, momentum: &[f64], values: &mut Vec<f64>) {
         let mu = TopInAxes::state(momentum);
         values.extend(self.list.iter().map(|invariant| invariant.value(self.top, &mu)));
     }
 
-    fn without_value(&self, momentum: &[f64]) -> String {
+    fn without_value(&self, _time: f64, momentum: &[f64]) -> String {
         let mu = TopInAxes::state(momentum);
         let is_infinite = |f: &&Invariant| !f.value(self.top, &mu).is_finite();
         let symbol = self.list.iter().find(is_infinite).map_or("h", |f| f.symbol());

@@ -87,13 +87,21 @@ impl Experiment {
         names
     }
 
+    /// Returns whether the motion keeps each of the quantities that have columns of their own: forces, friction and noise change
+    /// some.
+    #[must_use]
+    pub fn kept(&self) -> Vec<bool> {
+        let conserved = self.model.conserved(&self.start);
+        self.conserved().iter().map(|name| conserved.is_kept(name)).collect()
+    }
+
     /// Returns the initial values of the conserved quantities that have columns of their own.
     ///
     /// # Errors
     /// If one has no value there.
     pub fn initial(&self) -> Result<Vec<f64>, RunFailure> {
         let conserved = self.model.conserved(&self.start);
-        let values = conserved.values(&self.start);
+        let values = conserved.values(0.0, &self.start);
         let mut values = values.map_err(|reason| RunFailure::NoValue { time: 0.0, reason })?;
         for place in self.repeated(&*conserved) {
             values.remove(place);
@@ -217,7 +225,7 @@ impl Experiment {
             }
             let first = row.len();
             conserved
-                .append_finite(momentum, row)
+                .append_finite(time, momentum, row)
                 .map_err(|reason| RunFailure::NoValue { time, reason })?;
             for place in &repeated {
                 row.remove(first + place);

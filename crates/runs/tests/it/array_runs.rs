@@ -171,7 +171,7 @@ fn the_names_of_invariants_follow_the_symmetry() {
         let start = model.start_of(&Arguments::new().number("tilt", 2.0)).unwrap();
         let end = after(&model, &start, (None, SchemeName::Gauss(4)), (0.05, 100));
         let conserved = model.conserved(&start);
-        let [before, later] = [&start, &end].map(|state| conserved.values(state).unwrap());
+        let [before, later] = [&start, &end].map(|state| conserved.values(0.0, state).unwrap());
         assert!(
             before.iter().zip(&later).all(|(a, b)| (a - b).abs() < 1e-9),
             "{before:?} {later:?}"
@@ -362,7 +362,7 @@ fn what_does_not_fit_is_refused_with_what_is_needed() {
     // A field in tiny units has a direction.
     let weak = system("spin-lattice", &spins.clone().list("field", vec![0.0, 0.0, 1e-200]));
     let state = weak.start_of(&none().number("tilt", 1.0)).unwrap();
-    assert!(weak.conserved(&state).values(&state).is_ok());
+    assert!(weak.conserved(&state).values(0.0, &state).is_ok());
     let error =
         lattice(&[3.0], 1.0).method(Some(Formulation::Splitting), SchemeName::Gauss(4), 0.0);
     assert!(error.unwrap_err().to_string().ends_with("it has collective, reduced, direct"));
@@ -383,7 +383,7 @@ fn states_of_another_dimension_are_nan() {
             let mut state = vec![0.5; count];
             assert!(model.differential(&state).iter().all(|x| x.is_nan()));
             assert!(model.fastest_rate(&state).is_nan() && model.rate(&state).is_err());
-            assert!(model.conserved(&state).values(&state).is_err());
+            assert!(model.conserved(&state).values(0.0, &state).is_err());
             assert!(model.on_circle(&state, 1.0, 4).is_none());
             model.present(&mut state);
             assert_eq!(state, vec![0.5; count]);

@@ -89,7 +89,7 @@ proptest! {
             let chain = system("spin-lattice", &given);
             prop_assert!(largest(&chain.rate(&s).unwrap(), &expected.0) < 1e-13);
             prop_assert!(largest(&chain.differential(&s), &expected.1) < 1e-13);
-            let h = chain.conserved(&s).values(&s).unwrap()[0];
+            let h = chain.conserved(&s).values(0.0, &s).unwrap()[0];
             prop_assert!((h - formula.hamiltonian().value_at(&s)).abs() < 1e-12);
         }
         // Control: a ring has another rate.
@@ -114,12 +114,12 @@ proptest! {
             let ends = cells.filter_map(|[x, y]| Some((at([x, y])?, at([x + d as i64, y + e as i64])?)));
             -j * ends.map(|(a, b)| a.dot(&b)).sum::<f64>()
         };
-        let h = model.conserved(&s).values(&s).unwrap()[0];
+        let h = model.conserved(&s).values(0.0, &s).unwrap()[0];
         prop_assert!((h - all.map(bond).sum::<f64>()).abs() < 1e-11);
         // The total spin and the Casimir stay, in a step of each formulation and of the spherical midpoint.
         for method in [(Some(Formulation::Collective), SchemeName::Gauss(4)), (Some(Formulation::Reduced), SchemeName::SphericalMidpoint)] {
             let end = after(&model, &s, method, (0.01, 5));
-            let [before, later] = [&s, &end].map(|state| model.conserved(state).values(state).unwrap());
+            let [before, later] = [&s, &end].map(|state| model.conserved(state).values(0.0, state).unwrap());
             prop_assert!(largest(&before[1..], &later[1..]) < 1e-10, "{before:?} {later:?}");
             prop_assert!(largest(&s, &end) > 1e-4);
         }
@@ -136,7 +136,7 @@ proptest! {
         let size = expected.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         prop_assert!(largest(&rate, &expected) < 1e-12 * size);
         let conserved = vortices.conserved(&m);
-        prop_assert!((conserved.values(&m).unwrap()[0] - formula.invariants(&m).unwrap()[0]).abs() < 1e-12);
+        prop_assert!((conserved.values(0.0, &m).unwrap()[0] - formula.invariants(&m).unwrap()[0]).abs() < 1e-12);
     }
 
     /// The differential is that of dual numbers, and the rate ds/dt = dh/ds × s, dq/dt = dh/dp, dp/dt = −dh/dq of it.
@@ -155,7 +155,7 @@ proptest! {
         }
         prop_assert!(largest(&differential[12..16], dh.0.1.q.as_slice()) < 1e-13);
         prop_assert!(largest(&differential[16..], dh.0.1.p.0.as_slice()) < 1e-13);
-        let energy = own.conserved(&z).values(&z).unwrap()[0];
+        let energy = own.conserved(&z).values(0.0, &z).unwrap()[0];
         prop_assert!((energy - lattice.energy(&point)).abs() < 1e-12);
     }
 
@@ -209,7 +209,8 @@ fn a_vibrating_lattice_steps_as_that_of_the_gallery() {
     }
     assert!(largest(&end[12..16], expected.1.q.as_slice()) < 1e-12);
     assert!(largest(&end[16..], expected.1.p.0.as_slice()) < 1e-12);
-    let [before, later] = [&start, &end].map(|state| own.conserved(state).values(state).unwrap());
+    let [before, later] =
+        [&start, &end].map(|state| own.conserved(state).values(0.0, state).unwrap());
     // All but h are conserved to round-off; h by a method of order 6 to its error.
     assert!(
         largest(&before[1..], &later[1..]) < 1e-12 && largest(&before[..1], &later[..1]) < 1e-6
@@ -217,7 +218,7 @@ fn a_vibrating_lattice_steps_as_that_of_the_gallery() {
     // Control: an explicit method conserves the lengths of the spins to its order alone.
     let rk4 = (Some(Formulation::Direct), SchemeName::Rk4);
     let drifting = after(&own, &start, rk4, (0.1, 100));
-    assert!((own.conserved(&drifting).values(&drifting).unwrap()[5] - before[5]).abs() > 1e-8);
+    assert!((own.conserved(&drifting).values(0.0, &drifting).unwrap()[5] - before[5]).abs() > 1e-8);
 }
 
 /// Magnons on lattices of one to three dimensions: spins on a cone of the angle θ about z turn at
@@ -293,7 +294,7 @@ fn a_rossby_haurwitz_wave_turns_as_it_should() {
     assert!((found - exact).norm() < 1e-9, "{found} {exact}");
     let values = |state: &[f64]| {
         let state = Model::start(&fluid, state).unwrap();
-        fluid.conserved(&state).values(&state).unwrap()
+        fluid.conserved(&state).values(0.0, &state).unwrap()
     };
     assert!(largest(&values(&start), &values(&end)) < 1e-11);
 }

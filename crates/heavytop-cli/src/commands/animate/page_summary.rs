@@ -60,7 +60,7 @@ impl PageSummary {
 impl fmt::Display for PageSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(to, "{} frames to t = {} s, in {}", self.frames, self.end, shown(&self.out))?;
-        write_accuracy(to, self.error_estimate, None)?;
+        write_accuracy(to, (self.error_estimate, "the state"), None)?;
         write_method(to, (self.formulation, self.scheme), (self.step, self.end))
     }
 }

@@ -90,7 +90,7 @@ impl fmt::Display for EventsSummary {
             }
         }
         write!(to, ", in {}", shown(&self.out))?;
-        write_accuracy(to, self.error_estimate, None)?;
+        write_accuracy(to, (self.error_estimate, "the state"), None)?;
         write_method(to, (self.formulation, self.scheme), (self.step, self.end))
     }
 }

@@ -28,6 +28,17 @@ impl RunSubject {
     /// # Errors
     /// If there is no such run.
     pub fn new(config: &Config) -> Result<Self, Error> {
+        if let Some(run) = config.open_run()? {
+            let mut about = match &config.system {
+                Some(_) => vec![run.model.formula("h").unwrap_or_default()],
+                None => {
+                    let model = config.model()?;
+                    vec![caption::top_in(&model.top, &model.axes)]
+                }
+            };
+            about.extend(config.forces());
+            return Ok(Self::Coordinates { run, kind: None, about });
+        }
         let Some(table) = config.system()? else {
             let run = config.experiment()?;
             let (model, start) = (&run.model, run.model.given(&run.initial_state()));

@@ -39,6 +39,12 @@ pub struct RunSummary {
     /// The largest deviations max |invariant − initial value| over the rows of the output, by the names of the
     /// columns.
     pub deviations: Map<String, Value>,
+    /// The largest changes of quantities that the motion does not keep, such as the energy of one with friction.
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    pub changes: Map<String, Value>,
+    /// The seed and the number of the path of the noise, if there is noise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub noise: Option<NoisePath>,
     /// The estimated error of the run, to two digits: the largest |Δμ_b|/|μ_b| over the vectors and scalars b of
     /// coordinates, such as Π and Γ. 1 means that nothing of the state is right.
     pub error_estimate: Option<f64>,
@@ -57,6 +63,12 @@ impl RunSummary {
         table: &RunTable,
     ) -> Self {
         let (method, pace) = (&run.method, run.pace);
+        let (kept, all) = (run.kept(), deviations.by_name(table));
+        let is_kept = |name: &String| {
+            let place = table.invariants().iter().position(|other| other == name);
+            place.and_then(|place| kept.get(place)).is_none_or(|kept| *kept)
+        };
+        let (deviations, changes) = all.into_iter().partition(|(name, _)| is_kept(name));
         Self {
             out,
             described: Described::default(),
@@ -67,7 +79,9 @@ impl RunSummary {
             rows: pace.rows(),
             end: pace.schedule.end(),
             last: last(run, row),
-            deviations: deviations.by_name(table),
+            deviations,
+            changes,
+            noise: run.model.noise().map(|(seed, path)| NoisePath { seed, path }),
             error_estimate: None,
             check: None,
         }
@@ -84,11 +98,30 @@ impl fmt::Display for RunSummary {
         if *descends == Some(false) {
             write!(to, "; the steps are not Poisson maps")?;
         }
-        write!(to, "; largest deviations")?;
-        write_deviations(to, &self.deviations)?;
-        write_accuracy(to, self.error_estimate, self.check.as_ref())?;
+        if let Some(NoisePath { seed, path }) = self.noise {
+            write!(to, "; noise of seed {seed}, path {path}")?;
+        }
+        if !self.deviations.is_empty() {
+            write!(to, "; largest deviations")?;
+            write_deviations(to, &self.deviations)?;
+        }
+        if !self.changes.is_empty() {
+            write!(to, "; largest changes, of what the motion does not keep,")?;
+            write_deviations(to, &self.changes)?;
+        }
+        let what = if self.noise.is_some() { "this path" } else { "the state" };
+        write_accuracy(to, (self.error_estimate, what), self.check.as_ref())?;
         write_method(to, (self.formulation, self.scheme), (self.step, self.end))
     }
+}
+
+/// The Brownian motions of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct NoisePath {
+    /// The seed of the random numbers.
+    pub seed: u64,
+    /// The number of the path.
+    pub path: u64,
 }
 
 /// What the summary of a run tells of a system by formula; nothing of a top.

@@ -9,7 +9,6 @@ use crate::configuration::Config;
 use crate::errors::Error;
 use crate::formats::RunTable;
 use crate::runs::RunCheck;
-use crate::runs::run_check::accuracy_warning;
 use crate::supervision::Progress;
 use crate::supervision::warnings::warn;
 use lie_poisson::larger;
@@ -70,7 +69,8 @@ pub fn simulate(
     let mut recording = Recording::begin(out, &config, &recorded, options)?;
     let accuracy = options.estimated(|going| Ok(run.accuracy(going)?))?;
     recording.add_estimate(accuracy.error);
-    [run.warning()?, accuracy_warning(&accuracy)].into_iter().flatten().for_each(warn);
+    let of_accuracy = run.model.accuracy_warning(&accuracy).map(|text| format!("warning: {text}"));
+    [run.warning()?, of_accuracy].into_iter().flatten().for_each(warn);
     let mut deviations = Deviations::new(run.initial()?, options.resume);
     let progress = Progress::new(run, options.quiet);
     let saved = options.resume.map(Checkpoint::saved);

@@ -7,15 +7,18 @@ use crate::errors::{Error, SystemTableError};
 use crate::runs::{Experiment, Pace, Schedule};
 use heavytop::methods::Formulation;
 use lie_poisson_formula_systems::{
-    FormulaSystem, FormulaSystemError, QuadraticMomenta, SystemAlgebra, SystemKind,
-    matrices_of_rows, structure_table,
+    FormulaSystem, FormulaSystemError, NamedInputs, OpenNames, QuadraticMomenta, SystemAlgebra,
+    SystemKind, matrices_of_rows, structure_table,
 };
-use lie_poisson_formulas::{Coordinates, Parameters};
+use lie_poisson_formulas::{Coordinates, Formula, Parameters};
 use lie_poisson_runs::ArrayKind;
 use lie_poisson_runs::step_angle::require_run;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+
+/// The name of the time in formulas.
+const TIME: &str = "t";
 
 /// The table `[system]`: a Lie algebra, a Hamiltonian on its dual, and the state at t = 0.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
@@ -135,6 +138,40 @@ impl SystemConfig {
             _ => system,
         };
         Ok(system.with_found_casimirs()?)
+    }
+
+    /// Returns whether the Hamiltonian has the time `t` in it, which is neither a parameter nor a coordinate.
+    pub(crate) fn depends_on_time(&self) -> bool {
+        let is_part = |c: char| c.is_alphanumeric() || c == '_';
+        let mut words = self.hamiltonian.iter().flat_map(|text| text.split(|c| !is_part(c)));
+        let is_coordinate = |name: &String| name == TIME;
+        words.any(|word| word == TIME)
+            && !self.parameters.contains_key(TIME)
+            && !self.coordinates.iter().flatten().any(is_coordinate)
+    }
+
+    /// Returns the system of the table as it is at t = 0, the names of its formulas, and the Hamiltonian if it depends on the
+    /// time or on an input.
+    ///
+    /// # Errors
+    /// If there is no such system.
+    pub(crate) fn open_base(
+        &self,
+        inputs: &NamedInputs,
+    ) -> Result<(FormulaSystem, OpenNames, Option<Formula>), Error> {
+        let parameters = self.parameters()?;
+        if self.system_kind()?.is_some() {
+            let base = self.formula_system()?;
+            let names = OpenNames::new(base.algebra().clone(), inputs, parameters)?;
+            return Ok((base, names, None));
+        }
+        let names = OpenNames::new(self.algebra(&parameters)?, inputs, parameters)?;
+        let (base, hamiltonian) = names.system(self.hamiltonian()?)?;
+        let base = match self.bracket {
+            Some(Bracket::Plus) => base.with_plus_bracket()?,
+            _ => base,
+        };
+        Ok((base.with_found_casimirs()?, names, hamiltonian))
     }
 
     /// Returns the system of the library that the table names.

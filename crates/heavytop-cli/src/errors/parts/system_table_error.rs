@@ -1,5 +1,6 @@
 //! Errors of `[system]`: why a configuration describes no Lie–Poisson system.
 
+use super::open_keys::keys_of_open;
 use lie_poisson_formula_systems::{FormulaSystemError, StructureTableError, SystemKind};
 use lie_poisson_formulas::{NameError, Problem};
 use lie_poisson_runs::ArrayKind;
@@ -77,6 +78,33 @@ pub enum SystemTableError {
         /// The name of both columns.
         name: String,
     },
+    /// A command that follows closed systems alone got a table of open ones.
+    #[error(
+        "[{table}] is of simulate alone: this command follows systems that nothing drives, damps, shakes or forces"
+    )]
+    OpenTable {
+        /// The name of the table.
+        table: &'static str,
+    },
+    /// There is no noise in `[noise]`, or more than one.
+    #[error(
+        "[noise] has one of temperature, which goes with [damping], strength, with or without inner_product, and fields"
+    )]
+    OneNoise,
+    /// A column that is written on request is of tops that nothing drives, damps, shakes or forces.
+    #[error("the column {column} is of tops that nothing drives, damps, shakes or forces")]
+    ColumnOfClosed {
+        /// The name of the column.
+        column: &'static str,
+    },
+    /// A thin rod has no inverse inertia matrix.
+    #[error("a thin rod, with a moment of 0, is not driven, damped, shaken or forced here")]
+    OpenRod,
+    /// A torque acts on the angular momentum alone.
+    #[error(
+        "a torque on a body has formulas for Pi alone: the vertical Gamma is a direction in space"
+    )]
+    TorqueOnVertical,
     /// The attitude of a system that is no body is asked for.
     #[error("a system has no attitude")]
     NoAttitude,
@@ -124,6 +152,11 @@ impl SystemTableError {
             Self::SameColumn { .. } => key("system.coordinates", "choose another name"),
             Self::Parameter { table, name, .. } => vec![(format!("system.{table}.{name}"), "")],
             Self::Formula(error) => keys_of(error),
+            Self::OpenTable { table } => key(table, "remove the table, or use simulate"),
+            Self::OneNoise => key("noise", "write one of them"),
+            Self::ColumnOfClosed { .. } => key("output.columns", "leave it out"),
+            Self::OpenRod => key("body.inertia", ""),
+            Self::TorqueOnVertical => key("torque", "leave Gamma out"),
             Self::NoAttitude => key("output.attitude", "write false, or leave it out"),
             Self::ColumnOfTops { .. } => key("output.columns", "leave it out"),
         }
@@ -147,6 +180,7 @@ fn keys_of(error: &FormulaSystemError) -> Vec<(String, &'static str)> {
         E::Realisation { .. } => {
             ["representation", "momenta"].map(|of| (below_system(of), "")).to_vec()
         }
+        E::Open(error) => keys_of_open(error),
         E::NoKind { .. } => key("kind", ""),
         E::KindParameter { is_start, name, .. } => {
             let table = if *is_start { "initial" } else { "parameters" };

@@ -171,7 +171,7 @@ impl Family for ArrayFamily {
             }
         };
         if let Some((time, state)) = &drift.undefined {
-            let (time, reason) = (*time, drift.conserved.without_value(state));
+            let (time, reason) = (*time, drift.conserved.without_value(*time, state));
             return Err(RunFailure::NoValue { time, reason }.into());
         }
         let values = |observable: &Observable| match observable {

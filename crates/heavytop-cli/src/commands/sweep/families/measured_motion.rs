@@ -47,7 +47,7 @@ pub(super) struct Drift<'a> {
 impl<'a> Drift<'a> {
     pub(super) fn new(model: &'a dyn Model, start: &[f64]) -> Result<Self, Error> {
         let conserved = model.conserved(start);
-        let initial = conserved.values(start);
+        let initial = conserved.values(0.0, start);
         let initial = initial.map_err(|reason| RunFailure::NoValue { time: 0.0, reason })?;
         let (largest, values) = (vec![0.0; initial.len()], Vec::new());
         Ok(Self { conserved, initial, largest, values, undefined: None })
@@ -55,7 +55,7 @@ impl<'a> Drift<'a> {
 
     pub(super) fn observe(&mut self, time: f64, state: &[f64]) {
         self.values.clear();
-        self.conserved.append(state, &mut self.values);
+        self.conserved.append(time, state, &mut self.values);
         if self.values.iter().any(|value| !value.is_finite()) {
             self.undefined.get_or_insert_with(|| (time, state.to_vec()));
         }

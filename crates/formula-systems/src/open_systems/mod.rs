@@ -1,0 +1,10 @@
+//! Systems by formula that are driven, damped, noisy or forced.
+
+pub(crate) mod open_system_error;
+pub(crate) mod named_inputs;
+pub(crate) mod open_names;
+pub(crate) mod open_terms;
+pub(crate) mod open_system;
+pub(crate) mod open_field;
+pub(crate) mod open_integrator;
+mod open_scales;

@@ -1,0 +1,100 @@
+//! The names of formulas of open systems, and the inputs among them: [`NamedInputs`].
+
+use super::open_system_error::OpenSystemError;
+use crate::algebras::system_algebra::SystemAlgebra;
+use lie_poisson::{InputTable, Real};
+use lie_poisson_formulas::{Parameters, Vocabulary};
+
+/// The name of the time in formulas.
+pub(crate) const TIME: &str = "t";
+
+/// NamedInputs u(t) by tables, whose names formulas may use beside the coordinates and the time `t`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct NamedInputs(Vec<(String, InputTable)>);
+
+impl NamedInputs {
+    /// Creates the inputs of these names.
+    #[must_use]
+    pub const fn new(inputs: Vec<(String, InputTable)>) -> Self {
+        Self(inputs)
+    }
+
+    /// Returns the names for formulas of an open system on an algebra: its coordinates, `t`, the inputs and the parameters.
+    ///
+    /// # Errors
+    /// Returns [`OpenSystemError::InputName`] for a name that cannot be one or is there already.
+    pub fn vocabulary(
+        &self,
+        algebra: &SystemAlgebra,
+        parameters: &Parameters,
+    ) -> Result<Vocabulary, OpenSystemError> {
+        let names = self.0.iter().map(|(name, _)| name.as_str());
+        let mut coordinates = algebra.coordinates().clone();
+        let wrong = |name: &str, source| OpenSystemError::InputName { name: name.into(), source };
+        for name in [TIME].into_iter().chain(names) {
+            coordinates = coordinates.scalar(name).map_err(|source| wrong(name, source))?;
+            Vocabulary::new(&coordinates, parameters).map_err(|source| wrong(name, source))?;
+        }
+        Vocabulary::new(&coordinates, parameters).map_err(|source| wrong(TIME, source))
+    }
+
+    /// Returns the parameters with the time and the inputs as numbers, which are those of the time 0: for the system as it is
+    /// then.
+    ///
+    /// # Errors
+    /// Returns [`OpenSystemError::InputName`] for a name that cannot be one or is there already.
+    pub fn frozen(&self, parameters: Parameters) -> Result<Parameters, OpenSystemError> {
+        let wrong = |name: &str, source| OpenSystemError::InputName { name: name.into(), source };
+        let timed = parameters.number(TIME, 0.0).map_err(|source| wrong(TIME, source))?;
+        self.0.iter().try_fold(timed, |all, (name, table)| {
+            let first = table.breakpoints().first().copied().unwrap_or(0.0);
+            let value = table.at(first.max(0.0));
+            all.number(name, value).map_err(|source| wrong(name, source))
+        })
+    }
+
+    /// Checks that the tables reach from 0 to the end of a run.
+    ///
+    /// # Errors
+    /// Returns [`OpenSystemError::Input`], which names the input and the times.
+    pub fn require_until(&self, end: f64) -> Result<(), OpenSystemError> {
+        let (begin, end) = (end.min(0.0), end.max(0.0));
+        self.0.iter().try_for_each(|(name, table)| {
+            let refused = |source| OpenSystemError::Input { name: name.clone(), source };
+            table.require_until(begin, end).map_err(refused)
+        })
+    }
+
+    /// Appends the time and the values of the inputs to the coordinates of a momentum. A time that misses the end of a table by
+    /// rounding is the end.
+    pub(crate) fn append<T: Real>(&self, time: T, x: &mut Vec<T>) {
+        x.push(time);
+        for (_, table) in &self.0 {
+            let time = time.lane_by_lane(time, |time, _| inside(table, time)) + derivative_of(time);
+            x.push(table.at(time));
+        }
+    }
+
+    /// Returns the next breakpoint after a time, or before it.
+    pub(crate) fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        let breaks = self.0.iter().filter_map(|(_, table)| table.next_break(time, forward));
+        match forward {
+            true => breaks.reduce(f64::min),
+            false => breaks.reduce(f64::max),
+        }
+    }
+}
+
+/// Returns the time in a table that is nearest to a time, if it misses it by rounding alone.
+fn inside(table: &InputTable, time: f64) -> f64 {
+    let breaks = table.breakpoints();
+    let (Some(first), Some(last)) = (breaks.first(), breaks.last()) else { return time };
+    let nearest = time.clamp(*first, *last);
+    let rounding = 1e-9 * (last - first);
+    if (nearest - time).abs() <= rounding { nearest } else { time }
+}
+
+/// Returns x − value(x): 0 with the derivative of x.
+fn derivative_of<T: Real>(x: T) -> T {
+    x - x.lane_by_lane(x, |x, _| x)
+}

@@ -1,0 +1,148 @@
+//! The field of an open system on states of any dimension: [`OpenField`].
+
+use super::open_system::OpenSystem;
+use super::open_terms::NoiseFields;
+use crate::realisations::quadratic_momenta::QuadraticMomenta;
+use collective_integrators::{AnyState, NoisePart, VectorField, Window};
+use core::cell::RefCell;
+use lie_poisson::{Pair, Real, State};
+use lie_poisson_formulas::Formula;
+use nalgebra::Vector2;
+
+/// A state: the point of a realisation or the momentum, the number of the path with the time in intervals, and the attitude, which
+/// has four coordinates or none.
+pub(super) type OpenState<T> = Pair<AnyState<T>, Pair<Vector2<T>, AnyState<T>>>;
+
+/// The vectors of an evaluation.
+#[derive(Debug)]
+pub(super) struct Scratch<T> {
+    /// The momentum, the time and the inputs.
+    x: Vec<T>,
+    xi: Vec<T>,
+    rate: Vec<T>,
+    element: Vec<T>,
+}
+
+impl<T: Real> Scratch<T> {
+    pub(super) fn new(dimension: usize) -> RefCell<Self> {
+        let zeros = || vec![T::zero(); dimension];
+        RefCell::new(Self { x: zeros(), xi: zeros(), rate: zeros(), element: zeros() })
+    }
+}
+
+/// The field of a part of a step.
+pub(super) struct OpenField<'a, T> {
+    pub(super) system: &'a OpenSystem,
+    /// The momenta, and the sign of the generator that makes the bracket of the system; none if the state is the momentum.
+    pub(super) momenta: Option<(&'a QuadraticMomenta, f64)>,
+    pub(super) part: NoisePart<'a, T>,
+    pub(super) window: Window<T>,
+    pub(super) scratch: &'a RefCell<Scratch<T>>,
+}
+
+impl<T: Real> OpenField<'_, T> {
+    /// Writes the element of the algebra with which the momentum moves: that of the drift, and of the noise.
+    fn element(&self, dimension: usize, scratch: &mut Scratch<T>) {
+        let Scratch { x, xi, rate, element } = scratch;
+        let (base, terms) = (self.system.base(), self.system.terms());
+        let (NoisePart { drift, weights, .. }, all) = (self.part, x.len());
+        xi.fill(T::zero());
+        if drift != 0.0 {
+            let mut write = |slopes: &[T]| xi.iter_mut().zip(slopes).for_each(|(xi, s)| *xi = *s);
+            match &terms.hamiltonian {
+                Some(hamiltonian) => hamiltonian.with_differential(all, |i| x[i], &mut write),
+                None => base.hamiltonian().with_differential(dimension, |i| x[i], &mut write),
+            }
+            if let Some(drive) = &terms.drive {
+                add(drive, x, T::one(), xi);
+            }
+            if let Some(damping) = &terms.damping {
+                self.coadjoint(xi, x, rate);
+                damping.inner_product.write_sharp(rate, element);
+                let pairs = xi.iter_mut().zip(element.iter());
+                pairs.for_each(|(xi, sharp)| *xi += *sharp * damping.friction);
+            }
+        }
+        match terms.noise.as_ref().map(|noise| &noise.fields) {
+            Some(_) if weights.is_empty() => {}
+            Some(NoiseFields::Isotropic(noise)) => {
+                noise.inner_product.write_orthonormal(weights, element);
+                let pairs = xi.iter_mut().zip(element.iter());
+                pairs.for_each(|(xi, sigma)| *xi += *sigma * noise.strength);
+            }
+            Some(NoiseFields::Formulas(fields)) => {
+                let fields = fields.iter().zip(weights);
+                fields.for_each(|(field, weight)| add(field, x, *weight, xi));
+            }
+            None => {}
+        }
+    }
+
+    /// Writes Λ(μ) ξ.
+    fn coadjoint(&self, xi: &[T], mu: &[T], rate: &mut [T]) {
+        let base = self.system.base();
+        base.algebra().table().coadjoint(xi, mu, rate);
+        if base.has_plus_bracket() {
+            rate.iter_mut().for_each(|rate| *rate = -*rate);
+        }
+    }
+}
+
+/// Adds the values of formulas, times a weight, to an element.
+fn add<T: Real>(formulas: &[Formula], x: &[T], weight: T, element: &mut [T]) {
+    for (formula, element) in formulas.iter().zip(element) {
+        *element += formula.value_of(x.len(), |i| x[i]) * weight;
+    }
+}
+
+impl<T: Real> VectorField<T> for OpenField<'_, T> {
+    type Point = OpenState<T>;
+
+    fn at(&self, z: &OpenState<T>) -> OpenState<T> {
+        let mut value = z.zeros_like();
+        self.at_into(z, &mut value);
+        value
+    }
+
+    fn at_into(&self, Pair(z, Pair(clock, attitude)): &OpenState<T>, value: &mut OpenState<T>) {
+        let Pair(rate, Pair(clock_rate, attitude_rate)) = value;
+        let (interval, dimension) =
+            (self.system.interval(), self.system.base().algebra().dimension());
+        let scratch = &mut *self.scratch.borrow_mut();
+        let time = self.window.nearest(clock.y * interval);
+        scratch.x.resize(dimension, T::zero());
+        match self.momenta {
+            Some((momenta, _)) => momenta.values(z.as_slice(), &mut scratch.x),
+            None => scratch.x.copy_from_slice(z.as_slice()),
+        }
+        self.system.terms().inputs.append(time, &mut scratch.x);
+        self.element(dimension, scratch);
+        let Scratch { x, xi, element, .. } = scratch;
+        match self.momenta {
+            Some((momenta, sign)) => {
+                element.iter_mut().zip(xi.iter()).for_each(|(signed, xi)| *signed = *xi * sign);
+                momenta.generator(element, z.as_slice(), rate.as_mut_slice());
+            }
+            None => {
+                self.coadjoint(xi, x, rate.as_mut_slice());
+                if let Some(torque) = &self.system.terms().torque {
+                    add(torque, x, T::from_f64(self.part.drift), rate.as_mut_slice());
+                }
+            }
+        }
+        *clock_rate = Vector2::new(T::zero(), T::from_f64(self.part.drift / interval));
+        turn(attitude.as_slice(), xi, attitude_rate.as_mut_slice());
+    }
+}
+
+/// Writes dq/dt = ½ q ω with the angular velocity ω in the body frame, if there is an attitude.
+fn turn<T: Real>(attitude: &[T], omega: &[T], rate: &mut [T]) {
+    let (&[w, x, y, z], &[a, b, c, ..]) = (attitude, omega) else { return };
+    let turned = [
+        -(x * a + y * b + z * c),
+        w * a + y * c - z * b,
+        w * b + z * a - x * c,
+        w * c + x * b - y * a,
+    ];
+    rate.iter_mut().zip(turned).for_each(|(rate, turned)| *rate = turned * 0.5);
+}

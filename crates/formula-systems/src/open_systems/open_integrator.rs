@@ -1,0 +1,163 @@
+//! The integrator of an open system: [`OpenIntegrator`].
+
+use super::open_field::{OpenField, OpenState, Scratch};
+use super::open_system::OpenSystem;
+use crate::error::FormulaSystemError;
+use crate::realisations::quadratic_momenta::QuadraticMomenta;
+use collective_integrators::{
+    AnyIntegrator, AnyState, AnyTangents, Composition, Integrator, RungeKutta, Scheme, Start, Step,
+    StepError, StepParts,
+};
+use core::cell::RefCell;
+use lie_poisson::{Pair, Real, State};
+use momentum_map::LiftError;
+use nalgebra::Vector2;
+use std::sync::Arc;
+
+/// Any scheme, whose type is one: a step is a composition of one substep.
+type AnyScheme = Composition<RungeKutta>;
+
+/// A point of a realisation is replaced by a lift of its momentum every so many intervals, if it has grown along its fibre.
+const LIFTED_ANEW: f64 = 1024.0;
+
+/// The factor by which the square of a point may be larger than that of the lift of its momentum.
+const GROWN: f64 = 16.0;
+
+/// A scheme applied to the field of an open system, on the momentum or upstairs.
+pub(super) struct OpenIntegrator {
+    scheme: AnyScheme,
+    system: OpenSystem,
+    /// The momenta, and the sign of the generator that makes the bracket of the system.
+    momenta: Option<(Arc<QuadraticMomenta>, f64)>,
+    /// The attitude of the start, if it is followed.
+    attitude: Option<[f64; 4]>,
+}
+
+/// The storage of a step.
+pub(super) struct OpenWorkspace<W, T> {
+    scheme: W,
+    scratch: RefCell<Scratch<T>>,
+}
+
+impl OpenIntegrator {
+    pub(super) fn new(
+        scheme: AnyScheme,
+        system: OpenSystem,
+        momenta: Option<(Arc<QuadraticMomenta>, bool)>,
+        attitude: Option<[f64; 4]>,
+    ) -> Self {
+        let has_plus = system.base().has_plus_bracket();
+        let sign = |is_plus| if is_plus == has_plus { 1.0 } else { -1.0 };
+        let momenta = momenta.map(|(momenta, is_plus)| (momenta, sign(is_plus)));
+        Self { scheme, system, momenta, attitude }
+    }
+
+    /// Returns the integrator if it can start from a state.
+    pub(super) fn checked(self, start: &[f64]) -> Result<Self, FormulaSystemError> {
+        self.start(&AnyState::from_slice(start))?;
+        Ok(self)
+    }
+
+    /// Hides the type of the integrator, whose momenta are as large as a state.
+    pub(super) fn erased(self, start: &[f64]) -> AnyIntegrator<dyn AnyTangents> {
+        let zeros = |size: usize| AnyState::from_slice(&vec![0.0; size]);
+        let size = self.momenta.as_ref().map_or(start.len(), |(momenta, _)| momenta.size());
+        let attitude = if self.attitude.is_some() { 4 } else { 0 };
+        let state = Pair(zeros(size), Pair(Vector2::zeros(), zeros(attitude)));
+        AnyIntegrator::of_states_with_tangents(self, &state, &AnyState::from_slice(start))
+    }
+
+    fn dimension(&self) -> usize {
+        self.system.base().algebra().dimension()
+    }
+
+    /// Returns how a step is divided.
+    fn parts(&self) -> StepParts<'_> {
+        let noise = self.system.terms().noise.as_ref().zip(self.system.paths());
+        let noise =
+            noise.map(|(noise, paths)| (paths, noise.rule, noise.fields.count(self.dimension())));
+        StepParts { interval: self.system.interval(), noise }
+    }
+
+    fn momentum_of<T: Real>(&self, z: &AnyState<T>) -> AnyState<T> {
+        let Some((momenta, _)) = &self.momenta else { return z.clone() };
+        let mut mu = vec![T::zero(); self.dimension()];
+        momenta.values(z.as_slice(), &mut mu);
+        AnyState::from_slice(&mu)
+    }
+
+    /// Replaces a point far along its fibre by a lift of its momentum. Steps descend, so that this changes no momentum but by
+    /// rounding; that it happens after a number of intervals keeps runs that are resumed to the bit.
+    fn lift_anew<T: Real>(&self, Pair(z, Pair(clock, _)): &mut OpenState<T>) {
+        let Some((momenta, _)) = &self.momenta else { return };
+        if clock.y.as_f64().is_none_or(|clock| clock == 0.0 || clock % LIFTED_ANEW != 0.0) {
+            return;
+        }
+        let numbers = |z: &AnyState<T>| -> Vec<f64> {
+            z.as_slice().iter().map(|x| x.as_f64().unwrap_or(f64::NAN)).collect()
+        };
+        let size = |z: &[f64]| z.iter().map(|x| x * x).sum::<f64>();
+        if let Ok(lift) = momenta.lift(&numbers(&self.momentum_of(z)))
+            && size(&numbers(z)) > GROWN * size(&lift)
+        {
+            z.set_coordinates(|i| T::from_f64(lift.get(i).copied().unwrap_or(f64::NAN)));
+        }
+    }
+}
+
+impl<T: Real> Integrator<T> for OpenIntegrator {
+    type State = OpenState<T>;
+    type Momentum = AnyState<T>;
+    type Workspace = OpenWorkspace<<AnyScheme as Scheme>::Workspace<OpenState<T>>, T>;
+
+    fn workspace(&self) -> Self::Workspace {
+        let scratch = Scratch::new(self.dimension());
+        OpenWorkspace { scheme: self.scheme.workspace(), scratch }
+    }
+
+    fn step(
+        &self,
+        state: &OpenState<T>,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Step<OpenState<T>>, StepError> {
+        let mut point = state.clone();
+        self.lift_anew(&mut point);
+        let clock = point.1.0;
+        let inputs = &self.system.terms().inputs;
+        let OpenWorkspace { scheme, scratch } = workspace;
+        let momenta = self.momenta.as_ref().map(|(momenta, sign)| (&**momenta, *sign));
+        let iterations = self.parts().make(
+            (clock.x, clock.y),
+            step,
+            |time, forward| inputs.next_break(time, forward),
+            |window, part| {
+                let field = OpenField { system: &self.system, momenta, part, window, scratch };
+                // The noise before says nothing about that of this part.
+                self.scheme.forget(scheme);
+                self.scheme.step_in_place(&field, &mut point, part.step, scheme)
+            },
+        )?;
+        Ok(Step { point, iterations })
+    }
+
+    fn forget(&self, workspace: &mut Self::Workspace) {
+        self.scheme.forget(&mut workspace.scheme);
+    }
+
+    fn momentum(&self, Pair(z, _): &OpenState<T>) -> AnyState<T> {
+        self.momentum_of(z)
+    }
+}
+
+impl Start for OpenIntegrator {
+    fn start(&self, mu: &AnyState) -> Result<OpenState<f64>, LiftError> {
+        let z = match &self.momenta {
+            Some((momenta, _)) => AnyState::from_slice(&momenta.lift(mu.as_slice())?),
+            None => mu.clone(),
+        };
+        let path = self.system.terms().noise.as_ref().map_or(0, |noise| noise.path);
+        let attitude = self.attitude.as_ref().map_or(&[][..], |attitude| attitude);
+        Ok(Pair(z, Pair(Vector2::new(path as f64, 0.0), AnyState::from_slice(attitude))))
+    }
+}

@@ -1,0 +1,164 @@
+//! The formulas of an open system: [`OpenNames`].
+
+use super::named_inputs::NamedInputs;
+use super::open_system_error::OpenSystemError;
+use crate::algebras::system_algebra::SystemAlgebra;
+use crate::error::FormulaSystemError;
+use crate::systems::formula_system::FormulaSystem;
+use lie_poisson::InnerProduct;
+use lie_poisson_formulas::{Formula, FormulaError, Parameters, Vocabulary};
+
+/// The names that formulas of an open system may use, and the formulas in them.
+///
+/// # Example
+/// ```
+/// use lie_poisson_formula_systems::{NamedInputs, OpenNames, SystemAlgebra};
+/// use lie_poisson_formulas::Parameters;
+/// let algebra = SystemAlgebra::named("so(3)")?;
+/// let names = OpenNames::new(algebra, &NamedInputs::default(), Parameters::new().number("B", 2.0)?)?;
+/// let (spin, in_time) = names.system("-B*(Pi3 + sin(t)*Pi1)")?;
+/// assert_eq!(spin.invariants(&[0.5, 0.0, 1.0])?, [-2.0]); // as it is at t = 0
+/// assert_eq!(in_time.map(|h| h.value_at(&[0.5, 0.0, 1.0, 1.0])), Some(-2.0 * (1.0 + 0.5 * 1.0_f64.sin())));
+/// assert_eq!(names.system("-B*Pi3")?.1, None);
+/// let torque = names.element("torque", [("Pi", vec!["0".into(), "0".into(), "cos(t)".into()])])?;
+/// assert_eq!(torque[2].value_at(&[0.0, 0.0, 0.0, 0.0]), 1.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpenNames {
+    algebra: SystemAlgebra,
+    parameters: Parameters,
+    /// The parameters with the time and the inputs as they are at t = 0.
+    frozen: Parameters,
+    vocabulary: Vocabulary,
+}
+
+impl OpenNames {
+    /// Creates the names of an algebra: its coordinates, the time `t`, inputs and parameters.
+    ///
+    /// # Errors
+    /// Returns [`OpenSystemError::InputName`] for an input whose name cannot be one, or is there already.
+    pub fn new(
+        algebra: SystemAlgebra,
+        inputs: &NamedInputs,
+        parameters: Parameters,
+    ) -> Result<Self, OpenSystemError> {
+        let vocabulary = inputs.vocabulary(&algebra, &parameters)?;
+        let frozen = inputs.frozen(parameters.clone())?;
+        Ok(Self { algebra, parameters, frozen, vocabulary })
+    }
+
+    /// Returns the names: the coordinates are followed by `t` and the inputs.
+    #[must_use]
+    pub const fn vocabulary(&self) -> &Vocabulary {
+        &self.vocabulary
+    }
+
+    /// Returns the system of a Hamiltonian as it is at t = 0, without Casimirs, and the Hamiltonian if it depends on the time
+    /// or on an input.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::Hamiltonian`] if the text is not a formula in these names.
+    pub fn system(
+        &self,
+        hamiltonian: &str,
+    ) -> Result<(FormulaSystem, Option<Formula>), FormulaSystemError> {
+        let in_time = Formula::new(hamiltonian, &self.vocabulary);
+        let in_time = in_time.map_err(FormulaSystemError::Hamiltonian)?;
+        self.system_by(in_time, |parameters| {
+            FormulaSystem::new(self.algebra.clone(), hamiltonian, parameters)
+        })
+    }
+
+    /// As [`system`](Self::system), for a Hamiltonian that is made in some other way: `in_time` is the formula in these names, and
+    /// `system` makes the system with parameters, of which some may have the names of the time and of inputs.
+    ///
+    /// # Errors
+    /// That of `system`, if it fails even where the time and the inputs are parameters.
+    pub fn system_by(
+        &self,
+        in_time: Formula,
+        system: impl Fn(&Parameters) -> Result<FormulaSystem, FormulaSystemError>,
+    ) -> Result<(FormulaSystem, Option<Formula>), FormulaSystemError> {
+        match system(&self.parameters) {
+            Ok(system) => Ok((system, None)),
+            Err(_) => Ok((system(&self.frozen)?, Some(in_time))),
+        }
+    }
+
+    /// Returns a formula of a text.
+    ///
+    /// # Errors
+    /// Returns [`OpenSystemError::Formula`], which says what the formula is for.
+    pub fn formula(&self, what: &str, text: &str) -> Result<Formula, OpenSystemError> {
+        let formula = Formula::new(text, &self.vocabulary);
+        formula.map_err(|source| wrong(what, text, source))
+    }
+
+    /// Returns the inner product of a matrix on the dual of the algebra, by its rows one after the other. Without one it is the unit
+    /// matrix, if all coordinates are those of one vector, or scalars of their own.
+    ///
+    /// # Errors
+    /// Returns [`OpenSystemError::InnerProduct`] if the matrix is none of an inner product, and
+    /// [`OpenSystemError::NoInnerProduct`] if there is none for several vectors.
+    pub fn inner_product(&self, rows: Option<&[f64]>) -> Result<InnerProduct, OpenSystemError> {
+        if let Some(rows) = rows {
+            return Ok(InnerProduct::new(rows)?);
+        }
+        let groups = self.algebra.coordinates().groups();
+        let vectors =
+            groups.filter(|(_, places)| places.len() > 1).map(|(name, _)| name.to_owned());
+        let vectors: Vec<String> = vectors.collect();
+        let dimension = self.algebra.dimension();
+        match vectors.len() {
+            0 | 1 => Ok(InnerProduct::euclidean()),
+            _ => Err(OpenSystemError::NoInnerProduct { dimension, vectors }),
+        }
+    }
+
+    /// Returns formulas for all coordinates, of those for vectors or scalars of coordinates by name; what is left out is 0.
+    ///
+    /// # Errors
+    /// Returns [`OpenSystemError::Formula`] for a text that is no formula, [`OpenSystemError::NoCoordinate`] for a name that no
+    /// coordinates have, and [`OpenSystemError::Count`] for another number of formulas than coordinates have the name.
+    pub fn element<'a>(
+        &self,
+        what: &str,
+        parts: impl IntoIterator<Item = (&'a str, Vec<String>)>,
+    ) -> Result<Vec<Formula>, OpenSystemError> {
+        let coordinates = self.algebra.coordinates();
+        let mut all = vec![self.formula(what, "0")?; self.algebra.dimension()];
+        for (name, texts) in parts {
+            let Some(places) = coordinates.places(name) else {
+                let names = coordinates.groups().map(|(name, _)| name.to_owned()).collect();
+                return Err(OpenSystemError::NoCoordinate {
+                    what: what.into(),
+                    name: name.into(),
+                    names,
+                });
+            };
+            let (expected, found) = (places.len(), texts.len());
+            if expected != found {
+                let what = format!("{what} {name}");
+                return Err(OpenSystemError::Count { what, expected, found });
+            }
+            let which = |i: usize| {
+                if expected == 1 {
+                    format!("{what} {name}")
+                } else {
+                    format!("{what} {name}{}", i + 1)
+                }
+            };
+            for (i, (text, place)) in texts.iter().zip(places).enumerate() {
+                if let Some(entry) = all.get_mut(place) {
+                    *entry = self.formula(&which(i), text)?;
+                }
+            }
+        }
+        Ok(all)
+    }
+}
+
+fn wrong(what: &str, text: &str, reason: FormulaError) -> OpenSystemError {
+    OpenSystemError::Formula { what: what.into(), text: text.into(), reason }
+}

@@ -1,0 +1,102 @@
+//! The errors of open systems: [`OpenSystemError`].
+
+use collective_integrators::BrownianError;
+use lie_poisson::{InnerProductError, InputTableError, NoiseError};
+use lie_poisson_formulas::{FormulaError, NameError};
+use thiserror::Error;
+
+/// The reason why an open system cannot be made.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum OpenSystemError {
+    /// The name of an input cannot be one, or is that of a coordinate, a parameter, or the time `t`.
+    #[error("the input {name}")]
+    InputName {
+        /// The name.
+        name: String,
+        /// What is wrong with it.
+        #[source]
+        source: NameError,
+    },
+    /// The table of an input is no table, or is shorter than a run.
+    #[error("the input {name}")]
+    Input {
+        /// The name of the input.
+        name: String,
+        /// What is wrong with it.
+        #[source]
+        source: InputTableError,
+    },
+    /// A formula is none.
+    #[error("{what}: {reason}")]
+    Formula {
+        /// What the formula is for.
+        what: String,
+        /// The text of the formula; empty if it was built by a program.
+        text: String,
+        /// What is wrong with it.
+        reason: FormulaError,
+    },
+    /// There are not as many formulas as coordinates.
+    #[error("{what} needs {expected} formulas, one for each coordinate, and has {found}")]
+    Count {
+        /// What the formulas are for.
+        what: String,
+        /// The number of coordinates.
+        expected: usize,
+        /// The number of formulas.
+        found: usize,
+    },
+    /// No coordinates have this name.
+    #[error("{what} has no {name}: the coordinates are {}", names.join(", "))]
+    NoCoordinate {
+        /// What has the name.
+        what: String,
+        /// The name.
+        name: String,
+        /// The names of the coordinates.
+        names: Vec<String>,
+    },
+    /// The matrix of an inner product is none, or is not as large as the algebra.
+    #[error("the inner product")]
+    InnerProduct(#[from] InnerProductError),
+    /// The matrix of an inner product is not as large as the algebra.
+    #[error("the inner product has {found} rows, and the algebra {expected} dimensions")]
+    InnerProductSize {
+        /// The dimension of the algebra.
+        expected: usize,
+        /// The number of rows.
+        found: usize,
+    },
+    /// An inner product is missing where coordinates have different units.
+    #[error(
+        "an inner product is needed, a matrix of {dimension} rows or its diagonal: the vectors of coordinates {} may have \
+         different units", vectors.join(", ")
+    )]
+    NoInnerProduct {
+        /// The number of coordinates.
+        dimension: usize,
+        /// The names of the vectors of coordinates.
+        vectors: Vec<String>,
+    },
+    /// A friction or a temperature is negative or no number.
+    #[error(transparent)]
+    Noise(#[from] NoiseError),
+    /// The step or the bound of the noise is no positive number.
+    #[error(transparent)]
+    Brownian(#[from] BrownianError),
+    /// The strength of a noise is negative or no number.
+    #[error("the strength of the noise must be 0 or a positive number, it is {strength}")]
+    Strength {
+        /// The rejected strength.
+        strength: f64,
+    },
+    /// A temperature has no friction to which it belongs.
+    #[error(
+        "a temperature needs a friction: the strength of the noise is the root of 2 × friction × temperature"
+    )]
+    TemperatureAlone,
+    /// Noise and torque together have no method.
+    #[error("a system with noise has no torque: the noise moves it along its coadjoint orbit")]
+    NoiseAndTorque,
+}

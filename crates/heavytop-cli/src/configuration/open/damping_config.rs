@@ -1,0 +1,63 @@
+//! The table `[damping]`: [`DampingConfig`].
+
+use lie_poisson_formula_systems::{Damping, OpenNames, OpenSystemError};
+use serde::{Deserialize, Serialize};
+
+/// The table `[damping]`: a double bracket, which lowers the energy and keeps the Casimirs.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct DampingConfig {
+    /// The friction θ, at least 0.
+    pub friction: f64,
+    /// The inner product ♯ on the dual of the algebra; the unit matrix where all coordinates are of one vector.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inner_product: Option<InnerProductConfig>,
+}
+
+/// An inner product: a multiple of the unit matrix, a diagonal matrix, or any symmetric, positive definite one.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(
+    untagged,
+    expecting = "expected a number for a multiple of the unit matrix, an array for a diagonal, or an array of rows"
+)]
+pub enum InnerProductConfig {
+    /// A multiple of the unit matrix.
+    Multiple(f64),
+    /// The diagonal.
+    Diagonal(Vec<f64>),
+    /// The rows.
+    Rows(Vec<Vec<f64>>),
+}
+
+impl DampingConfig {
+    /// Returns the friction with its inner product.
+    ///
+    /// # Errors
+    /// If the inner product is none, or is missing where it needs a choice.
+    pub(super) fn damping(
+        &self,
+        names: &OpenNames,
+        dimension: usize,
+    ) -> Result<Damping, OpenSystemError> {
+        let rows = self.inner_product.as_ref().map(|given| given.rows(dimension));
+        let inner_product = names.inner_product(rows.as_deref())?;
+        Ok(Damping { friction: self.friction, inner_product })
+    }
+}
+
+impl InnerProductConfig {
+    /// Returns the rows of the matrix, one after the other, for so many coordinates.
+    pub(super) fn rows(&self, size: usize) -> Vec<f64> {
+        let diagonal = |entries: &[f64]| {
+            let size = entries.len();
+            let mut rows = vec![0.0; size * size];
+            rows.iter_mut().step_by(size + 1).zip(entries).for_each(|(x, entry)| *x = *entry);
+            rows
+        };
+        match self {
+            Self::Multiple(factor) => diagonal(&vec![*factor; size]),
+            Self::Diagonal(entries) => diagonal(entries),
+            Self::Rows(rows) => rows.concat(),
+        }
+    }
+}

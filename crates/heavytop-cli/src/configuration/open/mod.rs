@@ -1,0 +1,13 @@
+//! The tables of open systems: `[inputs]`, `[drive]`, `[damping]`, `[noise]`, `[torque]`.
+
+mod element;
+mod input_config;
+mod damping_config;
+mod noise_config;
+mod open_tables;
+mod open_run;
+
+pub use damping_config::{DampingConfig, InnerProductConfig};
+pub use element::{Element, Formulas};
+pub use input_config::InputConfig;
+pub use noise_config::NoiseConfig;

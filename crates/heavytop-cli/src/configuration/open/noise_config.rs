@@ -1,0 +1,91 @@
+//! The table `[noise]`: [`NoiseConfig`].
+
+use super::damping_config::InnerProductConfig;
+use super::element::{Element, parts};
+use crate::errors::{Error, SystemTableError};
+use collective_integrators::NoiseRule;
+use lie_poisson::IsotropicNoise;
+use lie_poisson_formula_systems::{Damping, NoiseFields, NoiseTerms, OpenNames};
+use serde::{Deserialize, Serialize};
+
+/// The table `[noise]`: of a temperature, of a strength in all directions, or of fields by formulas.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct NoiseConfig {
+    /// The energy kT, in the unit of the Hamiltonian. It needs `[damping]`, whose inner product the noise has.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub temperature: Option<f64>,
+    /// The strength σ of noise that is the same in all directions of an inner product.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strength: Option<f64>,
+    /// The inner product that goes with a strength.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inner_product: Option<InnerProductConfig>,
+    /// Fields σ_k by formulas, each with a Brownian motion of its own.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fields: Vec<Element>,
+    /// The seed of the random numbers.
+    #[serde(default = "first_seed")]
+    pub seed: u64,
+    /// The number of the path: another number is another run with the same statistics.
+    #[serde(default)]
+    pub path: u64,
+    /// How the noise enters a step.
+    #[serde(default)]
+    pub rule: Rule,
+    /// The bound of an increment, in standard deviations.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bound: Option<f64>,
+}
+
+/// The seed where none is written.
+const fn first_seed() -> u64 {
+    1
+}
+
+/// How the noise enters a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rule {
+    /// In one step of the scheme: weak order 1.
+    #[default]
+    Together,
+    /// One field after the other: weak order 2 with schemes of order 4 and more.
+    Alternating,
+}
+
+impl NoiseConfig {
+    /// Returns the noise on an algebra.
+    ///
+    /// # Errors
+    /// If there is not exactly one of temperature, strength and fields, or one of them is impossible.
+    pub(super) fn terms(
+        &self,
+        names: &OpenNames,
+        dimension: usize,
+        damping: Option<&Damping>,
+    ) -> Result<NoiseTerms, Error> {
+        let fields = match (self.temperature, self.strength, self.fields.as_slice()) {
+            (Some(temperature), None, []) if self.inner_product.is_none() => {
+                NoiseFields::thermal(damping, temperature)?
+            }
+            (None, Some(strength), []) => {
+                let rows = self.inner_product.as_ref().map(|given| given.rows(dimension));
+                let inner_product = names.inner_product(rows.as_deref())?;
+                NoiseFields::Isotropic(IsotropicNoise { inner_product, strength })
+            }
+            (None, None, [_, ..]) if self.inner_product.is_none() => {
+                let field = |(k, element): (usize, &Element)| {
+                    names.element(&format!("noise field {k}"), parts(element))
+                };
+                NoiseFields::Formulas((1..).zip(&self.fields).map(field).collect::<Result<_, _>>()?)
+            }
+            _ => return Err(SystemTableError::OneNoise.into()),
+        };
+        let rule = match self.rule {
+            Rule::Together => NoiseRule::Together,
+            Rule::Alternating => NoiseRule::Alternating,
+        };
+        Ok(NoiseTerms { fields, seed: self.seed, path: self.path, rule, bound: self.bound })
+    }
+}

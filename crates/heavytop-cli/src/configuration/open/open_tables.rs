@@ -1,0 +1,77 @@
+//! What the tables of open systems say.
+
+use super::element::{Element, parts};
+use crate::configuration::Config;
+use crate::errors::{Error, SystemTableError};
+use lie_poisson_formula_systems::{NamedInputs, OpenNames, OpenSystemError, OpenTerms};
+use lie_poisson_formulas::Formula;
+
+impl Config {
+    /// Returns the name of a table of open systems that the configuration has.
+    #[must_use]
+    pub(crate) fn open_table(&self) -> Option<&'static str> {
+        let tables = [
+            ("inputs", self.inputs.is_some()),
+            ("drive", self.drive.is_some()),
+            ("damping", self.damping.is_some()),
+            ("noise", self.noise.is_some()),
+            ("torque", self.torque.is_some()),
+        ];
+        tables.into_iter().find_map(|(name, is_there)| is_there.then_some(name))
+    }
+
+    /// Returns what drives, damps, shakes or forces the system, in words of a caption.
+    pub(crate) fn forces(&self) -> Option<String> {
+        let noise = self.noise.as_ref();
+        let words = [
+            self.drive.as_ref().map(|_| "driven".into()),
+            self.damping.as_ref().map(|damping| format!("friction {}", damping.friction)),
+            noise.map(|noise| format!("noise of seed {}, path {}", noise.seed, noise.path)),
+            self.torque.as_ref().map(|_| "under a torque".into()),
+        ];
+        let words: Vec<String> = words.into_iter().flatten().collect();
+        (!words.is_empty()).then(|| words.join(", "))
+    }
+
+    /// Checks that a command which follows closed systems alone has no table of open ones.
+    ///
+    /// # Errors
+    /// If it has one.
+    pub(crate) fn require_closed(&self) -> Result<(), SystemTableError> {
+        self.open_table().map_or(Ok(()), |table| Err(SystemTableError::OpenTable { table }))
+    }
+
+    /// Returns the inputs of `[inputs]`.
+    ///
+    /// # Errors
+    /// If one is no table.
+    pub(super) fn named_inputs(&self) -> Result<NamedInputs, Error> {
+        let inputs = self.inputs.iter().flatten().map(|(name, input)| {
+            let refused = |source| OpenSystemError::Input { name: name.clone(), source };
+            Ok((name.clone(), input.table().map_err(refused)?))
+        });
+        Ok(NamedInputs::new(inputs.collect::<Result<_, Error>>()?))
+    }
+
+    /// Returns what makes a system on an algebra an open one, with its Hamiltonian if that depends on the time.
+    ///
+    /// # Errors
+    /// If a table does not fit the algebra.
+    pub(super) fn open_terms(
+        &self,
+        (names, dimension): (&OpenNames, usize),
+        inputs: NamedInputs,
+        hamiltonian: Option<Formula>,
+    ) -> Result<OpenTerms, Error> {
+        let element = |what: &str, element: &Option<Element>| {
+            element.as_ref().map(|element| names.element(what, parts(element))).transpose()
+        };
+        let damping =
+            self.damping.as_ref().map(|damping| damping.damping(names, dimension)).transpose()?;
+        let noise = self.noise.as_ref();
+        let noise =
+            noise.map(|noise| noise.terms(names, dimension, damping.as_ref())).transpose()?;
+        let (drive, torque) = (element("drive", &self.drive)?, element("torque", &self.torque)?);
+        Ok(OpenTerms { inputs, hamiltonian, drive, damping, noise, torque })
+    }
+}

@@ -1,0 +1,176 @@
+"""What drives, damps, shakes or forces a system."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from .arguments import array, choice, count, real
+from .events import Function
+from .symbols import Part
+from .tracing import trace, trace_element
+
+Element = Union[Callable[..., Any], Mapping[str, Any], Sequence[Any]]
+"""An element of the algebra, or a rate of the coordinates: a function of the state and the time that returns a number for each
+coordinate; formulas for them; or formulas and numbers by the names of vectors and scalars of coordinates, where what is left out is 0."""
+
+Inputs = Mapping[str, tuple[ArrayLike, ArrayLike, str]]
+"""Inputs by name: times, values, and "constant", "linear" or "cubic" between them."""
+
+Source = Union[str, list[Part]]
+
+TIME = "t"
+
+
+class OpenNames:
+    """The names of the coordinates of a system, with the time and the inputs behind them."""
+
+    def __init__(self, names: Mapping[str, slice], parameters: Mapping[str, Any], inputs: Sequence[str]) -> None:
+        self.size = max(int(places.stop) for places in names.values())
+        self.groups = names
+        self.parameters = parameters
+        more = enumerate([TIME, *inputs], self.size)
+        self.names = {**names, **{name: slice(i, i + 1) for i, name in more}}
+
+    def scalar(self, name: str, function: Function) -> Source:
+        """Returns a formula, or the parts of a function of the state, or of the state and the time."""
+        if isinstance(function, str):
+            return function
+        if callable(function):
+            return trace(name, in_time(function), self.names, self.parameters)
+        raise ValueError(f"{name} must be a formula or a function of the coordinates, got {function!r}")
+
+    def element(self, name: str, element: Element) -> list[Source]:
+        """Returns a formula for each coordinate."""
+        if callable(element):
+            return trace_element(name, in_time(element), self.names, self.parameters, self.size)
+        if isinstance(element, Mapping):
+            every: list[Any] = [0.0] * self.size
+            for key, value in element.items():
+                if key not in self.groups:
+                    raise ValueError(f"{name} has no coordinate {key!r}; there are {', '.join(self.groups)}")
+                places = self.groups[key]
+                values = [value] if isinstance(value, str) or np.ndim(value) == 0 else list(value)
+                if len(values) != places.stop - places.start:
+                    wanted = places.stop - places.start
+                    raise ValueError(f"{name}[{key!r}] must have {wanted} formulas, got {len(values)}")
+                every[places] = values
+            return [self._formula(name, value) for value in every]
+        if isinstance(element, str) or np.ndim(element) == 0 or len(element) != self.size:
+            raise ValueError(f"{name} must have {self.size} formulas, one for each coordinate, got {element!r}")
+        return [self._formula(name, value) for value in element]
+
+    def _formula(self, name: str, value: Any) -> Source:
+        return value if isinstance(value, str) else [("number", real(name, value), 0, 0, 0)]
+
+
+def in_time(function: Callable[..., Any]) -> Callable[[Any], Any]:
+    """Returns a function of the state, whose time a function of the state and the time gets, too."""
+    return (lambda x: function(x, x[TIME])) if takes_time(function) else function
+
+
+def takes_time(function: Callable[..., Any]) -> bool:
+    """Returns whether a function has two arguments without which it cannot be called."""
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):
+        return False
+    needed = [p for p in parameters if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) and p.default is p.empty]
+    return len(needed) > 1
+
+
+def depends_on_time(hamiltonian: Any, parameters: Mapping[str, Any]) -> bool:
+    """Returns whether a Hamiltonian is one of the time, too."""
+    if isinstance(hamiltonian, str):
+        return TIME not in parameters and re.search(rf"(?<![\w]){TIME}(?![\w])", hamiltonian) is not None
+    return callable(hamiltonian) and takes_time(hamiltonian)
+
+
+def native_inputs(inputs: Optional[Inputs]) -> list[tuple[str, list[float], list[float], str]]:
+    """Returns inputs as the native part takes them."""
+    every = []
+    for name, table in (inputs or {}).items():
+        if not isinstance(table, (tuple, list)) or len(table) != 3:
+            raise ValueError(f"inputs[{name!r}] must be (times, values, interpolation), got {table!r}")
+        times, values = (array(f"inputs[{name!r}]", column).reshape(-1).tolist() for column in table[:2])
+        between = choice(f"the interpolation of inputs[{name!r}]", table[2], ("constant", "linear", "cubic"))
+        every.append((str(name), times, values, between))
+    return every
+
+
+def native_open(
+    names: OpenNames,
+    inputs: list[tuple[str, list[float], list[float], str]],
+    drive: Optional[Element],
+    damping: Union[None, float, Mapping[str, Any]],
+    noise: Optional[Mapping[str, Any]],
+    torque: Optional[Element],
+) -> _native.Open:
+    """Returns what makes a system an open one as the native part takes it."""
+    return (
+        inputs,
+        None if drive is None else names.element("drive", drive),
+        None if damping is None else native_damping(names, damping),
+        None if noise is None else native_noise(names, noise),
+        None if torque is None else names.element("torque", torque),
+    )
+
+
+def native_damping(names: OpenNames, damping: Union[float, Mapping[str, Any]]) -> tuple[float, Optional[list[float]]]:
+    """Returns the friction and the rows of its inner product."""
+    given = damping if isinstance(damping, Mapping) else {"friction": damping}
+    only("damping", given, ("friction", "inner_product"))
+    if "friction" not in given:
+        raise ValueError("damping has no friction")
+    return real("friction", given["friction"]), inner_product(names, given.get("inner_product"))
+
+
+def inner_product(names: OpenNames, given: Optional[ArrayLike]) -> Optional[list[float]]:
+    """Returns the rows of an inner product: of a multiple of the unit matrix, a diagonal, or a matrix."""
+    if given is None:
+        return None
+    matrix: NDArray[np.float64] = array("inner_product", given)
+    if matrix.ndim == 0:
+        matrix = np.eye(names.size) * matrix
+    elif matrix.ndim == 1:
+        matrix = np.diag(matrix)
+    if matrix.ndim != 2:
+        raise ValueError(f"inner_product must be a number, a diagonal or a matrix, got the shape {matrix.shape}")
+    return [float(x) for x in matrix.reshape(-1)]
+
+
+def native_noise(names: OpenNames, noise: Mapping[str, Any]) -> _native.Noise:
+    """Returns the noise as the native part takes it."""
+    if not isinstance(noise, Mapping):
+        raise ValueError(f"noise must be a mapping such as {{'temperature': 0.5}}, got {noise!r}")
+    kinds = ("temperature", "strength", "fields")
+    only("noise", noise, (*kinds, "inner_product", "seed", "path", "rule", "bound"))
+    given = [kind for kind in kinds if kind in noise]
+    if len(given) != 1 or ("inner_product" in noise and given != ["strength"]):
+        raise ValueError("noise has one of temperature, which goes with damping, strength, with or without inner_product, and fields")
+    if given == ["temperature"]:
+        source: Any = (real("temperature", noise["temperature"]),)
+    elif given == ["strength"]:
+        source = (real("strength", noise["strength"]), inner_product(names, noise.get("inner_product")))
+    else:
+        fields = noise["fields"]
+        if isinstance(fields, (str, Mapping)) or callable(fields):
+            raise ValueError(f"fields must be a list of fields, got {fields!r}")
+        source = [names.element(f"fields[{k}]", field) for k, field in enumerate(fields)]
+    bound = None if noise.get("bound") is None else real("bound", noise["bound"])
+    numbers = (count("seed", noise.get("seed", 1), 0), count("path", noise.get("path", 0), 0), bound)
+    rule = choice("rule", noise.get("rule", "together"), ("together", "alternating"))
+    return source, numbers, rule == "alternating"
+
+
+def only(name: str, given: Mapping[str, Any], keys: Sequence[str]) -> None:
+    """Checks that a mapping has no other keys."""
+    for key in given:
+        if key not in keys:
+            raise ValueError(f"{name} has no {key!r}; there are {', '.join(keys)}")

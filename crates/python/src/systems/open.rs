@@ -1,0 +1,146 @@
+//! What drives, damps, shakes or forces a system, as Python passes it.
+
+use crate::errors::refused;
+use crate::formulas::FormulaSource;
+use collective_integrators::NoiseRule;
+use core::ops::Deref;
+use lie_poisson::{InputTable, Interpolation, IsotropicNoise};
+use lie_poisson_formula_systems::{
+    Damping, FormulaSystem, NamedInputs, NoiseFields, NoiseTerms, OpenNames, OpenSystem,
+    OpenSystemError, OpenTerms,
+};
+use lie_poisson_formulas::Formula;
+use lie_poisson_runs::{ArraySystem, Model};
+use pyo3::{FromPyObject, IntoPyObject, PyErr, PyResult};
+
+/// An input: its name, times, values, and the name of the interpolation.
+pub(crate) type InputArgument = (String, Vec<f64>, Vec<f64>, String);
+
+/// A formula for each coordinate.
+type Element = Vec<FormulaSource>;
+
+/// The friction, and the rows of the inner product.
+type DampingArgument = (f64, Option<Vec<f64>>);
+
+/// The noise; its seed, path and bound; and whether its fields act one after the other.
+type NoiseArgument = (NoiseSource, (u64, u64, Option<f64>), bool);
+
+/// Where a noise comes from.
+#[derive(Clone, FromPyObject, IntoPyObject)]
+pub(crate) enum NoiseSource {
+    /// A temperature.
+    Temperature((f64,)),
+    /// A strength, and the rows of an inner product.
+    Strength(f64, Option<Vec<f64>>),
+    /// Fields by formulas.
+    Fields(Vec<Element>),
+}
+
+/// The inputs, the drive, the damping, the noise, and the torque.
+pub(crate) type OpenArgument = (
+    Vec<InputArgument>,
+    Option<Element>,
+    Option<DampingArgument>,
+    Option<NoiseArgument>,
+    Option<Element>,
+);
+
+/// Returns the inputs.
+///
+/// # Errors
+/// Returns `ValueError` for a table that is none.
+pub(crate) fn inputs(arguments: &[InputArgument]) -> PyResult<NamedInputs> {
+    let input = |(name, times, values, between): &InputArgument| {
+        let between: Interpolation = between.parse().map_err(refused)?;
+        let table = InputTable::new(times.clone(), values.clone(), between);
+        let refused_input = |source| refused(OpenSystemError::Input { name: name.clone(), source });
+        Ok((name.clone(), table.map_err(refused_input)?))
+    };
+    Ok(NamedInputs::new(arguments.iter().map(input).collect::<PyResult<_>>()?))
+}
+
+/// Returns what makes a system an open one.
+///
+/// # Errors
+/// Returns `ValueError` for what does not fit the system.
+pub(crate) fn terms(
+    names: &OpenNames,
+    inputs: NamedInputs,
+    hamiltonian: Option<Formula>,
+    (_, drive, damping, noise, torque): &OpenArgument,
+) -> PyResult<OpenTerms> {
+    let all = |element: &Element| -> PyResult<Vec<Formula>> {
+        element.iter().map(|source| source.formula(names.vocabulary())).collect()
+    };
+    let product = |rows: &Option<Vec<f64>>| names.inner_product(rows.as_deref()).map_err(refused);
+    let damping = damping.as_ref().map(|(friction, rows)| {
+        Ok::<_, PyErr>(Damping { friction: *friction, inner_product: product(rows)? })
+    });
+    let damping = damping.transpose()?;
+    let noise = noise.as_ref().map(|(source, (seed, path, bound), is_alternating)| {
+        let fields = match source {
+            NoiseSource::Temperature((temperature,)) => {
+                NoiseFields::thermal(damping.as_ref(), *temperature).map_err(refused)?
+            }
+            NoiseSource::Strength(strength, rows) => {
+                let (strength, inner_product) = (*strength, product(rows)?);
+                NoiseFields::Isotropic(IsotropicNoise { inner_product, strength })
+            }
+            NoiseSource::Fields(fields) => {
+                NoiseFields::Formulas(fields.iter().map(all).collect::<PyResult<_>>()?)
+            }
+        };
+        let rule = if *is_alternating { NoiseRule::Alternating } else { NoiseRule::Together };
+        Ok::<_, PyErr>(NoiseTerms { fields, seed: *seed, path: *path, rule, bound: *bound })
+    });
+    let noise = noise.transpose()?;
+    let (drive, torque) =
+        (drive.as_ref().map(all).transpose()?, torque.as_ref().map(all).transpose()?);
+    Ok(OpenTerms { inputs, hamiltonian, drive, damping, noise, torque })
+}
+
+/// The model of a run: that of a closed system, or of an open one with the step of the run.
+pub(crate) enum ModelOfRun<'a> {
+    Closed(&'a FormulaSystem),
+    Open(Box<OpenSystem>),
+    Arrays(&'a ArraySystem),
+}
+
+impl<'a> ModelOfRun<'a> {
+    /// Returns the model of a run with steps of a size.
+    ///
+    /// # Errors
+    /// Returns `ValueError` for terms that do not fit the system.
+    pub(crate) fn new(
+        system: &'a FormulaSystem,
+        terms: Option<&OpenTerms>,
+        step: f64,
+    ) -> PyResult<Self> {
+        let Some(terms) = terms else { return Ok(Self::Closed(system)) };
+        let open = OpenSystem::new(system.clone(), terms.clone(), step);
+        Ok(Self::Open(Box::new(open.map_err(refused)?)))
+    }
+
+    /// Checks that the inputs reach to the end of a run.
+    ///
+    /// # Errors
+    /// Returns `ValueError`, which names the input.
+    pub(crate) fn require_until(&self, end: f64) -> PyResult<()> {
+        match self {
+            Self::Closed(_) | Self::Arrays(_) => Ok(()),
+            Self::Open(open) => open.terms().inputs.require_until(end).map_err(refused),
+        }
+    }
+}
+
+impl Deref for ModelOfRun<'_> {
+    type Target = dyn Model;
+
+    fn deref(&self) -> &Self::Target {
+        match self {
+            Self::Closed(system) => *system,
+            Self::Open(open) => &**open,
+            Self::Arrays(arrays) => *arrays,
+        }
+    }
+}
