@@ -136,6 +136,30 @@ pub enum RunFailure {
         /// The time, s.
         time: f64,
     },
+    /// An ensemble of paths has none.
+    #[error("{reason}")]
+    NoPaths {
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// The statistics of an ensemble are too many.
+    #[error(
+        "the statistics of {numbers} numbers, rows times columns, are asked for, and {most} are the most: keep fewer rows"
+    )]
+    LargeEnsemble {
+        /// The numbers asked for.
+        numbers: u64,
+        /// The most numbers.
+        most: u64,
+    },
+    /// A path of an ensemble failed.
+    #[error("path {path}")]
+    Path {
+        /// The number of the path, from 0.
+        path: u64,
+        /// Why it failed.
+        source: Box<RunFailure>,
+    },
     /// The tangent vectors have lost their directions.
     #[error(transparent)]
     Tangent(VariationalError),

@@ -37,6 +37,7 @@
 //! | a lattice of spins, a fluid on the sphere, any number of vortices, by name | [`ArrayKind`], [`ArraySystem`], [`Arguments`] |
 //! | the rows of a run one by one | [`Experiment`] |
 //! | where functions of the momentum are zero along a run | [`EventFunctions`] |
+//! | means, deviations and quantiles over many paths of a motion with noise | [`PathEnsemble`], [`PathRow`], [`PathStatistics`] |
 //! | equal steps to an end, and which of them are written | [`Schedule`], [`Pace`] |
 //! | how tangent vectors grow: Lyapunov exponent, MEGNO, alignment | [`TangentGrowth`] |
 //! | to refuse steps that turn a motion absurdly far | [`step_angle`] |
@@ -81,6 +82,7 @@ pub use runs::event_functions::EventFunctions;
 pub use runs::experiment::Experiment;
 pub use runs::moment::{Moment, Saved};
 pub use runs::pace::Pace;
+pub use runs::path_ensemble::{PathEnsemble, PathRow, PathStatistics};
 pub use runs::schedule::{MOST_STEPS, Schedule, directed_step};
 pub use runs::tangent_growth::TangentGrowth;
 

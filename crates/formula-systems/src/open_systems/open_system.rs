@@ -40,7 +40,7 @@ use std::sync::Arc;
 /// assert!((end.as_slice()[2] - 5.0_f64.tanh()).abs() < 1e-9); // tanh(t/2)
 ///
 /// let fields = NoiseFields::thermal(terms.damping.as_ref(), 2.0)?; // kT = 2
-/// let noise = Some(NoiseTerms { fields, seed: 1, path: 0, rule: NoiseRule::Together, bound: None });
+/// let noise = Some(NoiseTerms { fields, seed: 1, path: 0, rule: NoiseRule::Together, interval: None, bound: None });
 /// let warm = OpenSystem::new(spin, OpenTerms { noise, ..terms }, 0.1)?;
 /// let end = warm.tangent_integrator(&method, &start)?.after(&AnyState::from_slice(&start), 0.1, 100)?.momentum;
 /// let length: f64 = end.as_slice().iter().map(|x| x * x).sum();
@@ -58,18 +58,15 @@ pub struct OpenSystem {
 
 impl OpenSystem {
     /// Creates the open system of an algebra with its Casimirs. The Hamiltonian is that of the terms, or, if they have none,
-    /// that of `base`. The intervals of the noise are usually the steps of a run.
+    /// that of `base`. The step is that of runs.
     ///
     /// # Errors
     /// Returns [`OpenSystemError`] if the terms do not fit the algebra.
-    pub fn new(
-        base: FormulaSystem,
-        terms: OpenTerms,
-        interval: f64,
-    ) -> Result<Self, OpenSystemError> {
+    pub fn new(base: FormulaSystem, terms: OpenTerms, step: f64) -> Result<Self, OpenSystemError> {
         terms.require_sane(base.algebra().dimension())?;
         // Runs backward count the same intervals.
-        let interval = interval.abs();
+        let of_noise = terms.noise.as_ref().and_then(|noise| noise.interval);
+        let interval = of_noise.unwrap_or(step.abs());
         let paths = match &terms.noise {
             None => None,
             Some(noise) => {

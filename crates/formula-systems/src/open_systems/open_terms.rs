@@ -49,6 +49,9 @@ pub struct NoiseTerms {
     pub path: u64,
     /// How noise enters a step.
     pub rule: NoiseRule,
+    /// The length of the intervals of the paths; the step of the run, if none is given. With one that is given, runs with shorter steps
+    /// see the same paths.
+    pub interval: Option<f64>,
     /// The bound of the increments, in standard deviations; that of [`BrownianPaths`](collective_integrators::BrownianPaths) if
     /// none is given.
     pub bound: Option<f64>,

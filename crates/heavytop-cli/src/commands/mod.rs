@@ -5,6 +5,7 @@ pub mod reproduce;
 pub mod compare;
 pub mod report;
 pub mod events;
+pub mod ensemble;
 pub mod section;
 pub mod animate;
 pub mod bench;

@@ -27,7 +27,8 @@ impl Error {
                 RunFailure::Integration { .. }
                 | RunFailure::NoValue { .. }
                 | RunFailure::NoEvent { .. }
-                | RunFailure::Timed { .. },
+                | RunFailure::Timed { .. }
+                | RunFailure::Path { .. },
             )
             | Self::Crossing { .. }
             | Self::AllFailed { .. }

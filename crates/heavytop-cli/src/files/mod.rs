@@ -12,5 +12,6 @@ pub(crate) mod sealed;
 pub use output::Output;
 pub(crate) use output_set::OutputSet;
 pub use place::Place;
+pub(crate) use place::require_csv;
 pub(crate) use safeguards::kind::{Kind, contains};
 pub use safeguards::safeguard::{Input, Safeguard};

@@ -117,3 +117,13 @@ pub(crate) fn require_folder(out: &Path) -> Result<(), Error> {
         false => Ok(()),
     }
 }
+
+/// Checks that the name of a table ends in `.csv`, or that it is `-`, which is standard output, or a device.
+///
+/// # Errors
+/// If it has another ending.
+pub(crate) fn require_csv(out: &Path) -> Result<(), Error> {
+    let is_csv = out.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+    let is_device = Place::of(out).is_ok_and(|place| place.is_device);
+    if is_csv || is_device { Ok(()) } else { Err(Error::NoTable { path: out.into() }) }
+}

@@ -149,6 +149,11 @@ impl RunTable {
         self.columns.join(",")
     }
 
+    /// Returns the names of the columns.
+    pub(crate) fn header_names(&self) -> impl Iterator<Item = &str> {
+        self.columns.iter().map(String::as_str)
+    }
+
     /// Returns the beginning by which a table in CSV is recognised: the columns that all tops have, or all of the system.
     #[must_use]
     pub fn beginning(&self) -> String {

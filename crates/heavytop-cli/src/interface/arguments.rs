@@ -3,9 +3,9 @@
 use super::beginnings::map_tables::MapTable;
 use super::help::{
     ANIMATE, ANIMATE_EXAMPLES, BENCH, BENCH_EXAMPLES, COMPARE, COMPARE_EXAMPLES,
-    COMPLETIONS_EXAMPLES, EVENTS, EVENTS_EXAMPLES, EXIT_CODES, EXPORT, EXPORT_EXAMPLES,
-    INIT_EXAMPLES, MAN_EXAMPLES, PLOT, PLOT_EXAMPLES, REPORT, REPORT_EXAMPLES, REPRODUCE,
-    REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES, SWEEP,
+    COMPLETIONS_EXAMPLES, ENSEMBLE, ENSEMBLE_EXAMPLES, EVENTS, EVENTS_EXAMPLES, EXIT_CODES, EXPORT,
+    EXPORT_EXAMPLES, INIT_EXAMPLES, MAN_EXAMPLES, PLOT, PLOT_EXAMPLES, REPORT, REPORT_EXAMPLES,
+    REPRODUCE, REPRODUCE_EXAMPLES, SECTION, SECTION_EXAMPLES, SIMULATE, SIMULATE_EXAMPLES, SWEEP,
     SWEEP_EXAMPLES,
 };
 use crate::commands::export::ExportFormat;
@@ -118,6 +118,23 @@ pub(super) enum Command {
         out: PathBuf,
         #[command(flatten)]
         replacing: Replacing,
+    },
+    /// Follow many paths of a motion with noise, and write means, deviations and quantiles.
+    #[command(long_about = ENSEMBLE, after_long_help = ENSEMBLE_EXAMPLES)]
+    Ensemble {
+        #[command(flatten)]
+        top: Top,
+        /// The table to write; its name ends in .csv; - is standard output.
+        #[arg(long, value_name = "FILE")]
+        out: PathBuf,
+        #[command(flatten)]
+        replacing: Replacing,
+        /// The number of paths, at least 2.
+        #[arg(long, value_name = "NUMBER", default_value_t = 1000)]
+        paths: u64,
+        /// The probabilities of the quantiles, between 0 and 1.
+        #[arg(long, value_name = "P", value_delimiter = ',', default_value = "0.05,0.5,0.95")]
+        quantiles: Vec<f64>,
     },
     /// Draw a Poincaré section of a top.
     #[command(long_about = SECTION, after_long_help = SECTION_EXAMPLES)]

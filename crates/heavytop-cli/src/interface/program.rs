@@ -11,6 +11,7 @@ use super::suggested_command::suggest_command;
 use crate::commands::animate::animate;
 use crate::commands::bench::{BenchOptions, bench};
 use crate::commands::compare::compare;
+use crate::commands::ensemble::ensemble;
 use crate::commands::events::events;
 use crate::commands::export::export;
 use crate::commands::plot::{PlotOptions, plot, plot_as_text};
@@ -26,6 +27,7 @@ use crate::supervision::warnings::{self, warn};
 use crate::supervision::{Forecast, TileOptions, Watch};
 use clap::{CommandFactory, Parser};
 use clap_complete::Shell;
+use lie_poisson_runs::PathEnsemble;
 use serde::Serialize;
 use std::fmt::{self, Display};
 use std::io::{self, IsTerminal, Write};
@@ -167,6 +169,12 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
             .and_then(|(done, notes)| closing.print(&done, &notes)),
         Command::Events { top, out, replacing } => top
             .noted(replacing, |config, safeguard| events(&config, &out, &watch(quiet, safeguard)))
+            .and_then(|(done, notes)| closing.end(&done, &notes, &out)),
+        Command::Ensemble { top, out, replacing, paths, quantiles } => top
+            .noted(replacing, |config, safeguard| {
+                let paths = PathEnsemble { paths, quantiles };
+                ensemble(&config, &paths, &out, &watch(quiet, safeguard))
+            })
             .and_then(|(done, notes)| closing.end(&done, &notes, &out)),
         Command::Init { file, preset, map, kind, replacing } => match kind {
             Some(kind) => init_system(&kind, file.as_deref(), replacing.force),

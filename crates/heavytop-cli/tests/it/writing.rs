@@ -31,6 +31,7 @@ const FEW: [&str; 4] = ["--set", "section.starts=2", "--set", "section.crossings
 /// A system, as an assignment.
 pub const SYSTEM: &str = "system={algebra='so(3)',hamiltonian='Pi1^2+2*Pi2^2+3*Pi3^2',\
     initial={Pi=[1.0,0.5,0.3]}}";
+const NOISE: &str = "noise={strength=0.1,inner_product=1}";
 const EVENTS: &str = "events.functions=['Gamma3','Pi1 - 1']";
 const MAP: &str = "sweep={observables=['megno'],axes=[\
     {parameter='body.inertia[1]',from=1,to=3,count=9},\
@@ -43,7 +44,7 @@ const LINE: &str =
     "sweep={observables=['megno'],axes=[{parameter='body.inertia[1]',from=1,to=3,count=81}]}";
 
 /// All commands that write files, in each of their formats.
-pub static WRITING: [Writing; 13] = [
+pub static WRITING: [Writing; 14] = [
     Writing {
         arguments: &["simulate", "--out", "a.csv", "--set", "integrator.end=24"],
         files: &["a.csv"],
@@ -160,6 +161,13 @@ pub static WRITING: [Writing; 13] = [
     Writing {
         arguments: &["events", "--out", "e.csv", "--set", EVENTS, "--set", "integrator.end=24"],
         files: &["e.csv"],
+        anew: &[],
+        repeats: true,
+        undisturbed: OnceLock::new(),
+    },
+    Writing {
+        arguments: &["ensemble", "--out", "n.csv", "--paths", "3", "--set", NOISE, "--set", SHORT],
+        files: &["n.csv"],
         anew: &[],
         repeats: true,
         undisturbed: OnceLock::new(),

@@ -12,7 +12,7 @@ Event = tuple[Source, int, int]
 Damping = tuple[float, Optional[Sequence[float]]]
 Noise = tuple[
     Union[tuple[float], tuple[float, Optional[Sequence[float]]], Sequence[Sequence[Source]]],
-    tuple[int, int, Optional[float]],
+    tuple[int, int, Optional[float], Optional[float]],
     bool,
 ]
 Open = tuple[

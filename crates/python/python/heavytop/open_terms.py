@@ -150,7 +150,7 @@ def native_noise(names: OpenNames, noise: Mapping[str, Any]) -> _native.Noise:
     if not isinstance(noise, Mapping):
         raise ValueError(f"noise must be a mapping such as {{'temperature': 0.5}}, got {noise!r}")
     kinds = ("temperature", "strength", "fields")
-    only("noise", noise, (*kinds, "inner_product", "seed", "path", "rule", "bound"))
+    only("noise", noise, (*kinds, "inner_product", "seed", "path", "rule", "interval", "bound"))
     given = [kind for kind in kinds if kind in noise]
     if len(given) != 1 or ("inner_product" in noise and given != ["strength"]):
         raise ValueError("noise has one of temperature, which goes with damping, strength, with or without inner_product, and fields")
@@ -163,8 +163,8 @@ def native_noise(names: OpenNames, noise: Mapping[str, Any]) -> _native.Noise:
         if isinstance(fields, (str, Mapping)) or callable(fields):
             raise ValueError(f"fields must be a list of fields, got {fields!r}")
         source = [names.element(f"fields[{k}]", field) for k, field in enumerate(fields)]
-    bound = None if noise.get("bound") is None else real("bound", noise["bound"])
-    numbers = (count("seed", noise.get("seed", 1), 0), count("path", noise.get("path", 0), 0), bound)
+    interval, bound = (None if noise.get(key) is None else real(key, noise[key]) for key in ("interval", "bound"))
+    numbers = (count("seed", noise.get("seed", 1), 0), count("path", noise.get("path", 0), 0), interval, bound)
     rule = choice("rule", noise.get("rule", "together"), ("together", "alternating"))
     return source, numbers, rule == "alternating"
 

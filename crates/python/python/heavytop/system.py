@@ -63,8 +63,9 @@ class System(SystemDescription):
             "inner_product", a number for a multiple of the unit matrix, a diagonal, or a matrix, which algebras with several vectors need.
         noise: noise that keeps the Casimirs, in the sense of Stratonovich: a mapping with "temperature", the energy kT, which goes with damping;
             or "strength" and, as for damping, "inner_product"; or "fields", a list of elements as `drive`, each with a Brownian motion of its own.
-            Besides "seed" (1), "path" (0), "rule", "together" (weak order 1) or "alternating" (weak order 2), and "bound", that of the
-            increments in standard deviations (6).
+            Besides "seed" (1), "path" (0), "rule", "together" (weak order 1) or "alternating" (weak order 2), "interval", the length of the
+            intervals that determine a path (the step; runs with other steps see the same path if it is given), and "bound", that
+            of the increments in standard deviations (6).
         torque: a rate F of the coordinates, dmu/dt = ad*_dh mu + F, as `drive`. It changes the Casimirs, and the system has the formulation
             "direct" alone.
 

@@ -22,8 +22,8 @@ type Element = Vec<FormulaSource>;
 /// The friction, and the rows of the inner product.
 type DampingArgument = (f64, Option<Vec<f64>>);
 
-/// The noise; its seed, path and bound; and whether its fields act one after the other.
-type NoiseArgument = (NoiseSource, (u64, u64, Option<f64>), bool);
+/// The noise; its seed, path, interval and bound; and whether its fields act one after the other.
+type NoiseArgument = (NoiseSource, (u64, u64, Option<f64>, Option<f64>), bool);
 
 /// Where a noise comes from.
 #[derive(Clone, FromPyObject, IntoPyObject)]
@@ -77,7 +77,7 @@ pub(crate) fn terms(
         Ok::<_, PyErr>(Damping { friction: *friction, inner_product: product(rows)? })
     });
     let damping = damping.transpose()?;
-    let noise = noise.as_ref().map(|(source, (seed, path, bound), is_alternating)| {
+    let noise = noise.as_ref().map(|(source, (seed, path, interval, bound), is_alternating)| {
         let fields = match source {
             NoiseSource::Temperature((temperature,)) => {
                 NoiseFields::thermal(damping.as_ref(), *temperature).map_err(refused)?
@@ -91,7 +91,8 @@ pub(crate) fn terms(
             }
         };
         let rule = if *is_alternating { NoiseRule::Alternating } else { NoiseRule::Together };
-        Ok::<_, PyErr>(NoiseTerms { fields, seed: *seed, path: *path, rule, bound: *bound })
+        let (interval, bound) = (*interval, *bound);
+        Ok::<_, PyErr>(NoiseTerms { fields, seed: *seed, path: *path, rule, interval, bound })
     });
     let noise = noise.transpose()?;
     let (drive, torque) =

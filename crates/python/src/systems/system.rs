@@ -189,7 +189,7 @@ impl System {
         let mut other = self.clone();
         let of_terms = other.terms.as_mut().and_then(|terms| terms.noise.as_mut());
         let of_source = other.source.5.as_mut().and_then(|open| open.3.as_mut());
-        let (Some(noise), Some((_, (_, source, _), _))) = (of_terms, of_source) else {
+        let (Some(noise), Some((_, (_, source, ..), _))) = (of_terms, of_source) else {
             let text = "path is of systems with noise, and this one has none";
             return Err(PyValueError::new_err(text));
         };

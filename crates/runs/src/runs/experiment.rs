@@ -246,6 +246,32 @@ impl Experiment {
         Ok(self.begin()?.0.state_dimension())
     }
 
+    /// Passes the moments that are written to `visit`, from a state of the integrator and its momentum on.
+    ///
+    /// # Errors
+    /// If a step fails, or a conserved quantity has no value.
+    pub(super) fn follow_state(
+        &self,
+        integrator: &AnyIntegrator,
+        (state, start): (AnyState, AnyState),
+        mut visit: impl FnMut(&Moment<'_>),
+    ) -> Result<(), RunFailure> {
+        let Schedule { step, steps } = self.pace.schedule;
+        let mut trajectory = integrator.trajectory_from(state, step).through(start);
+        let (mut fill, mut row, mut skipped) = (self.rows(), Vec::new(), 0);
+        while let Some(sample) = trajectory.nth(skipped) {
+            let sample = sample.map_err(|source| RunFailure::of_step(&self.method, source))?;
+            fill(&mut row, &sample)?;
+            visit(&Moment { step: sample.step, row: &row, state: &sample.state });
+            if sample.step >= steps {
+                break;
+            }
+            let next = self.pace.next_visited(sample.step, u64::MAX);
+            skipped = (next - sample.step - 1) as usize;
+        }
+        Ok(())
+    }
+
     /// Passes samples to `visit`: from the start on, or from the first one after a saved state, those that the pace visits.
     ///
     /// # Errors

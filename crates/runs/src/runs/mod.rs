@@ -3,6 +3,7 @@
 pub(crate) mod schedule;
 mod strides;
 pub(crate) mod pace;
+pub(crate) mod path_ensemble;
 pub(crate) mod moment;
 pub(crate) mod experiment;
 pub(crate) mod event_functions;

@@ -72,7 +72,14 @@ fn a_strength_a_bound_and_a_step_must_make_sense() {
             inner_product: InnerProduct::euclidean(),
             strength,
         });
-        let noise = Some(NoiseTerms { fields, seed: 1, path: 0, rule: NoiseRule::Together, bound });
+        let noise = Some(NoiseTerms {
+            fields,
+            seed: 1,
+            path: 0,
+            rule: NoiseRule::Together,
+            interval: None,
+            bound,
+        });
         OpenSystem::new(base.clone(), OpenTerms { noise, ..OpenTerms::default() }, step)
     };
     assert!(made(0.1, Some(4.0), 0.1).is_ok() && made(0.1, None, -0.1).is_ok());

@@ -52,7 +52,14 @@ pub fn open(
         (None, None) => None,
     };
     let rule = texts.rule;
-    let noise = fields.map(|fields| NoiseTerms { fields, seed: 1, path: 0, rule, bound: None });
+    let noise = fields.map(|fields| NoiseTerms {
+        fields,
+        seed: 1,
+        path: 0,
+        rule,
+        interval: None,
+        bound: None,
+    });
     let drive = texts.drive.as_ref().map(|texts| all("drive", texts)).transpose()?;
     let torque = texts.torque.as_ref().map(|texts| all("torque", texts)).transpose()?;
     let terms = OpenTerms { inputs, hamiltonian, drive, damping, noise, torque };

@@ -3,7 +3,7 @@
 use super::events_summary::{EventsOf, EventsSummary};
 use crate::configuration::{Config, EventsConfig};
 use crate::errors::Error;
-use crate::files::{Kind, Output, Place};
+use crate::files::{Kind, Output, require_csv};
 use crate::formats::RunTable;
 use crate::formats::run_table::append_row;
 use crate::runs::run_check::accuracy_warning;
@@ -123,11 +123,4 @@ fn functions(config: &Config, settings: &EventsConfig) -> Result<EventFunctions,
     };
     let functions = settings.functions.iter().enumerate().map(read).collect::<Result<_, _>>()?;
     Ok(EventFunctions { functions, direction: settings.direction })
-}
-
-/// Checks that the name ends in `.csv`, or that the output is `-`, which is standard output, or a device.
-fn require_csv(out: &Path) -> Result<(), Error> {
-    let is_csv = out.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
-    let is_device = Place::of(out).is_ok_and(|place| place.is_device);
-    if is_csv || is_device { Ok(()) } else { Err(Error::NoTable { path: out.into() }) }
 }

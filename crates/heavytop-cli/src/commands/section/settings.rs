@@ -28,6 +28,7 @@ impl Settings {
     /// # Errors
     /// If there is no such section.
     pub fn of(config: &Config) -> Result<Self, Error> {
+        config.require_closed()?;
         let section = config.section.clone().unwrap_or_default();
         let problem: (Arc<dyn SectionProblem>, _) = if config.system.is_some() {
             let (problem, own) = SystemProblem::new(config, &section)?;

@@ -45,6 +45,7 @@ impl Plan {
     /// # Errors
     /// If the sweep makes no sense for any member.
     pub fn new(config: &Config) -> Result<Self, Error> {
+        config.require_closed()?;
         let system = config.system()?;
         let mut sweep = config.sweep.clone().unwrap_or_default();
         // The numbers of a system have names of its own, of which none varies by default.

@@ -33,6 +33,9 @@ pub struct NoiseConfig {
     /// How the noise enters a step.
     #[serde(default)]
     pub rule: Rule,
+    /// The length of the intervals of the paths, s; the step of the run, if it is left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interval: Option<f64>,
     /// The bound of an increment, in standard deviations.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bound: Option<f64>,
@@ -86,6 +89,7 @@ impl NoiseConfig {
             Rule::Together => NoiseRule::Together,
             Rule::Alternating => NoiseRule::Alternating,
         };
-        Ok(NoiseTerms { fields, seed: self.seed, path: self.path, rule, bound: self.bound })
+        let Self { seed, path, interval, bound, .. } = *self;
+        Ok(NoiseTerms { fields, seed, path, rule, interval, bound })
     }
 }

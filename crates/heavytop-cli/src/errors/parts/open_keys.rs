@@ -25,7 +25,9 @@ pub(super) fn keys_of_open(error: &OpenSystemError) -> Vec<(String, &'static str
         E::Noise(NoiseError::Friction { .. }) => key("damping.friction", "write 0 or more"),
         E::Noise(NoiseError::Temperature { .. }) => key("noise.temperature", "write 0 or more"),
         E::Brownian(BrownianError::Bound { .. }) => key("noise.bound", "write 1 or more"),
-        E::Brownian(_) => key("integrator.step", ""),
+        E::Brownian(_) => {
+            ["noise.interval", "integrator.step"].map(|key| (key.into(), "")).to_vec()
+        }
         E::Strength { .. } => key("noise.strength", "write 0 or more"),
         E::TemperatureAlone => key("noise.temperature", "add [damping], or write strength"),
         E::NoiseAndTorque => key("torque", "remove the table, or [noise]"),

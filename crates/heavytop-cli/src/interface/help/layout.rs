@@ -136,6 +136,8 @@ mod tests {
             help::SIMULATE_EXAMPLES,
             help::COMPARE,
             help::COMPARE_EXAMPLES,
+            help::ENSEMBLE,
+            help::ENSEMBLE_EXAMPLES,
             help::EVENTS,
             help::EVENTS_EXAMPLES,
             help::SECTION,

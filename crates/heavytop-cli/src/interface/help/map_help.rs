@@ -26,6 +26,28 @@ Examples:
   heavytop events --preset euler --set 'events.functions=[\"Pi2\"]' --out flips.csv
   heavytop events top.toml --out - --quiet";
 
+pub(crate) const ENSEMBLE: &str = "\
+Follow many paths of a motion with noise, and write means, deviations and quantiles.
+
+The run is that of simulate, with the table [noise]. Path i has the number noise.path + i, so that
+simulate with this number shows it alone. The paths are followed on all threads; the table does not
+depend on their number. No path is kept: quantiles are estimated by the P² algorithm, from the paths
+one after the other.
+
+Written: a table with the columns paths, the number of paths, t, and of each column X of simulate
+  X_mean, X_error       the mean over the paths, and its standard error
+  X_deviation           the standard deviation of X
+  X_q0.05, ...          the quantiles
+An error of the mean by the step is beside the standard error: of weak order 1 in the step, or 2
+with noise.rule = \"alternating\" and a scheme of order 4 or more. Half the step shows it.";
+
+pub(crate) const ENSEMBLE_EXAMPLES: &str = "\
+Configuration: as of simulate, with [noise]
+Examples:
+  heavytop ensemble spin.toml --out means.csv
+  heavytop ensemble spin.toml --paths 10000 --quantiles 0.01,0.99 --out means.csv
+  heavytop ensemble spin.toml --set integrator.step=0.05 --out half.csv";
+
 pub(crate) const SECTION: &str = "\
 Draw a Poincaré section of a top, or of another Lie–Poisson system (at the end of this help).
 

@@ -187,6 +187,29 @@ Kinds, and their parameters (* if they may be left out):
 A kind without parameters is refused with their meaning and units, and heavytop init --kind NAME
 writes a configuration to begin with.
 
+Forces, for simulate and ensemble, beside [system] or [body]; t in a formula is the time:
+  [inputs.u]                         # u(t) for formulas, by a table
+  times = [0, 10, 20]                # s; from the start of the run to its end
+  values = [0, 1, 0]
+  interpolation = \"linear\"         # or constant, each value until the next time; or cubic
+  [drive]                            # a control, added to dh: it keeps the Casimirs
+  Pi = [0, 0, \"u*cos(2*t)\"]        # formulas by coordinates; what is left out is 0
+  [damping]                          # a double bracket: it lowers h and keeps the Casimirs
+  friction = 0.1
+  inner_product = 1                  # a multiple of the unit matrix, a diagonal, or rows; needed
+                                     # where there are several vectors, as of a top
+  [noise]                            # it keeps the Casimirs, in Stratonovich's sense
+  temperature = 0.5                  # kT, with [damping]; or strength, with or without
+                                     # inner_product; or fields = [{ Pi = [0, 0, 1] }, ...]
+  seed = 1                           # of the random numbers
+  path = 0                           # another number is another path
+  rule = \"together\"                # or alternating: weak order 2 instead of 1
+  bound = 6                          # of the increments, in standard deviations
+  # interval (s): the times that determine a path; the step, if it is left out
+  [torque]                           # a rate of the coordinates: it changes the Casimirs, too, and
+  Pi = [0, 0, \"-0.1*Pi3\"]          # the formulation is direct. Of a body for Pi alone, in N m;
+                                     # I1, I2, I3 are its moments. [noise] excludes it
+
 Systems of arrays, of any size, which simulate and sweep follow; * as above. FILE.npz has one array
 a quantity, and heavytop plot draws it, heavytop export writes it for ParaView and OOMMF:
   spin-lattice        shape of one to three axes, exchange* (0), bonds*, periodic* (1; 0 for open

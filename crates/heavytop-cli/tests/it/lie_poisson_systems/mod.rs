@@ -4,3 +4,6 @@ mod kinds_of_systems;
 mod system_sections;
 mod system_sweeps;
 mod systems;
+mod systems_with_forces;
+mod tops_with_forces;
+mod refused_forces;

@@ -1,0 +1,131 @@
+//! Tables of open systems that are refused before anything is written.
+
+use crate::program::Folder;
+
+const SPIN: &str = "\
+[system]
+algebra = 'so(3)'
+hamiltonian = '-Pi3'
+initial.Pi = [1, 0, 0]
+[integrator]
+end = 10
+step = 0.1
+";
+
+const TOP: &str = "[integrator]\nend = 1\n";
+
+#[test]
+fn errors_name_the_value_the_bound_and_the_line() {
+    let folder = Folder::new();
+    for (base, tables, parts) in [
+        (
+            SPIN,
+            "[damping]\nfriction = -0.1\n",
+            &["-0.1", "0 or a positive number", "friction = -0.1"][..],
+        ),
+        (SPIN, "[damping]\nfriction = nan\n", &["NaN"]),
+        (SPIN, "[damping]\n", &["friction"]),
+        (SPIN, "[noise]\ntemperature = 1\n", &["a temperature needs a friction", "add [damping]"]),
+        (
+            SPIN,
+            "[damping]\nfriction = 1\n[noise]\ntemperature = -1\n",
+            &["temperature = -1", "0 or a positive"],
+        ),
+        (SPIN, "[noise]\n", &["[noise] has one of temperature"]),
+        (SPIN, "[noise]\nstrength = -2\n", &["it is -2"]),
+        (SPIN, "[noise]\nstrength = 1\nbound = 0.5\n", &["0.5", "1 standard deviation or more"]),
+        (SPIN, "[noise]\nstrength = 1\nseed = -1\n", &["seed"]),
+        (SPIN, "[noise]\nstrength = 1\nrule = 'both'\n", &["rule", "together", "alternating"]),
+        (SPIN, "[noise]\nfields = [{ Pi = [0, 1] }]\n", &["3 formulas", "2"]),
+        (SPIN, "[drive]\nPi = ['1', 'Pj', '0']\n", &["drive Pi2", "Pj", "^^"]),
+        (SPIN, "[drive]\nOmega = [1, 0, 0]\n", &["Omega", "Pi"]),
+        (SPIN, "[torque]\nPi = 'Pi1'\n", &["3 formulas"]),
+        (
+            SPIN,
+            "[torque]\nPi = [1, 0, 0]\n[noise]\nstrength = 1\n",
+            &["a system with noise has no torque"],
+        ),
+        (
+            SPIN,
+            "[inputs.u]\ntimes = [0, 1]\nvalues = [0, 1]\ninterpolation = 'linear'\n[drive]\nPi = [0, 0, 'u']\n",
+            &["from 0 to 1", "from 0 to 10"],
+        ),
+        (
+            SPIN,
+            "[inputs.u]\ntimes = [0, 2, 1]\nvalues = [0, 1, 1]\ninterpolation = 'linear'\n",
+            &["must increase", "time 3 is 1, after 2"],
+        ),
+        (
+            SPIN,
+            "[inputs.u]\ntimes = [0, nan]\nvalues = [0, 1]\ninterpolation = 'linear'\n",
+            &["NaN"],
+        ),
+        (SPIN, "[inputs.u]\ntimes = [0, 20]\nvalues = [0, 1]\n", &["interpolation"]),
+        (
+            SPIN,
+            "[inputs.t]\ntimes = [0, 20]\nvalues = [0, 1]\ninterpolation = 'cubic'\n",
+            &["the input t"],
+        ),
+        (
+            TOP,
+            "[damping]\nfriction = 1\n",
+            &["an inner product is needed", "6 rows", "add inner_product"],
+        ),
+        (TOP, "[torque]\nGamma = [1, 0, 0]\n", &["formulas for Pi alone"]),
+        (
+            TOP,
+            "[torque]\nPi = [1, 0, 0]\n[output]\ncolumns = ['Omega']\n",
+            &["Omega", "nothing drives"],
+        ),
+        (
+            "[body]\ninertia = [1, 1, 0]\ncenter_of_mass = [0, 0, 1]\n[initial]\nangular_momentum = [1, 0, 0]\n",
+            "[torque]\nPi = [1, 0, 0]\n",
+            &["a thin rod"],
+        ),
+    ] {
+        folder.write("a.toml", &format!("{base}{tables}"));
+        let done = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
+        let told = done.stderr();
+        assert_eq!(done.code(), 2, "{tables}: {told}");
+        assert!(parts.iter().all(|part| told.contains(part)), "{tables}: {told}");
+        assert_eq!(folder.names(), ["a.toml"], "{tables}");
+    }
+}
+
+#[test]
+fn commands_of_closed_systems_say_which_table_they_do_not_take() {
+    let folder = Folder::new();
+    folder.write("top.toml", "[torque]\nPi = [0, 0, 1]\n");
+    folder.write(
+        "spin.toml",
+        &format!("{SPIN}[damping]\nfriction = 1\n[events]\nfunctions = ['Pi1']\n"),
+    );
+    for arguments in [
+        ["compare", "top.toml", "--out", "a"],
+        ["section", "top.toml", "--out", "a"],
+        ["sweep", "top.toml", "--out", "a"],
+        ["animate", "top.toml", "--out", "a.html"],
+        ["section", "spin.toml", "--out", "a"],
+        ["sweep", "spin.toml", "--out", "a"],
+        ["events", "spin.toml", "--out", "a.csv"],
+    ] {
+        let done = folder.heavytop(&arguments);
+        let table = if arguments[1] == "top.toml" { "[torque]" } else { "[damping]" };
+        assert!(
+            done.code() == 2 && done.stderr().contains(&format!("{table} is of simulate alone")),
+            "{arguments:?}: {}",
+            done.stderr()
+        );
+        assert_eq!(folder.names(), ["spin.toml", "top.toml"]);
+    }
+}
+
+/// What fails within a run is kept until then, as for other runs.
+#[test]
+fn a_formula_without_a_value_ends_the_run_there() {
+    let folder = Folder::new();
+    folder.write("a.toml", &format!("{SPIN}[drive]\nPi = ['log(5.05 - t)', 0, 0]\n"));
+    let done = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
+    assert!(done.code() == 1 && done.stderr().contains("step 51"), "{}", done.stderr());
+    assert_eq!(folder.names(), ["a.csv.partial", "a.toml"]);
+}

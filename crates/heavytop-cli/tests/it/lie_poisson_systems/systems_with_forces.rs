@@ -1,0 +1,146 @@
+//! Systems that are driven, damped and noisy: `[inputs]`, `[drive]`, `[damping]`, `[noise]`, and `t` in formulas.
+
+use crate::program::{Finished, Folder, numbers};
+
+/// A spin in a field along e₃.
+const SPIN: &str = "\
+[system]
+algebra = 'so(3)'
+bracket = 'plus'
+hamiltonian = '-B*Pi3'
+parameters.B = 2
+initial.Pi = [1, 0, 0]
+
+[integrator]
+end = 10
+step = 0.1
+";
+
+fn succeeded(done: &Finished) -> String {
+    assert_eq!(done.code(), 0, "{}", done.stderr());
+    done.stderr()
+}
+
+/// Returns what the program says of the run of a configuration, and the last row.
+fn last(folder: &Folder, configuration: &str, more: &[&str]) -> (String, Vec<f64>) {
+    folder.write("a.toml", configuration);
+    let arguments = [&["simulate", "a.toml", "--out", "a.csv", "--force"], more].concat();
+    let told = succeeded(&folder.heavytop(&arguments));
+    let (_, mut rows) = numbers(&folder.read("a.csv"));
+    (told, rows.pop().unwrap())
+}
+
+/// With friction θ, d(Π₃)/dt = θB(1 − Π₃²).
+#[test]
+fn a_damped_spin_turns_into_the_field_and_its_energy_is_no_error() {
+    let folder = Folder::new();
+    let damped = format!("{SPIN}[damping]\nfriction = 0.1\n");
+    let (told, row) = last(&folder, &damped, &[]);
+    assert!((row[3] - 2.0_f64.tanh()).abs() < 1e-12, "{row:?}");
+    assert!(
+        told.contains("largest deviations c1")
+            && told.contains("what the motion does not keep, h 1.9e0"),
+        "{told}"
+    );
+    let done = folder.heavytop(&["simulate", "a.toml", "--out", "b.csv", "--json"]);
+    let summary: serde_json::Value = serde_json::from_str(&done.stdout()).unwrap();
+    assert!(
+        summary["deviations"]["c1"].as_f64() < Some(1e-13) && summary["deviations"]["h"].is_null()
+    );
+    assert!(summary["changes"]["h"].as_f64() > Some(1.9), "{summary}");
+    // Control: without the table h is kept.
+    let (told, row) = last(&folder, SPIN, &[]);
+    assert!(row[3].abs() < 1e-13 && !told.contains("does not keep"), "{told}");
+}
+
+/// In the rotating frame the spin of a field B e₃ + b (cos Bt, −sin Bt, 0) turns about the field b e₁: Rabi's resonance.
+#[test]
+fn time_in_a_formula_is_the_time() {
+    let folder = Folder::new();
+    let rabi = SPIN
+        .replace("-B*Pi3", "-B*Pi3 - b*(cos(B*t)*Pi1 - sin(B*t)*Pi2)")
+        .replace("parameters.B = 2", "parameters = { B = 2, b = 0.3 }")
+        .replace("[1, 0, 0]", "[0, 0, 1]");
+    let (told, row) = last(&folder, &rabi, &[]);
+    assert!((row[3] - 3.0_f64.cos()).abs() < 1e-10, "{row:?}");
+    // The energy is that of the time of the row.
+    let [t, x, y, z] = [row[0], row[1], row[2], row[3]];
+    let h = -2.0 * z - 0.3 * ((2.0 * t).cos() * x - (2.0 * t).sin() * y);
+    assert!((row[4] - h).abs() < 1e-14, "{told}");
+    // A parameter of this name is no time.
+    let (told, _) = last(
+        &folder,
+        &SPIN.replace("-B*Pi3", "-t*Pi3").replace("parameters.B", "parameters.t"),
+        &[],
+    );
+    assert!(!told.contains("does not keep"), "{told}");
+    // Backward in time the run comes back to its start.
+    let [x, y, z] = [1, 2, 3].map(|i| row[i]);
+    let back =
+        rabi.replace("[0, 0, 1]", &format!("[{x:?}, {y:?}, {z:?}]")).replace("B*t", "B*(t + 10)");
+    let (_, row) = last(&folder, &back.replace("end = 10", "end = -10"), &[]);
+    assert!((row[3] - 1.0).abs() < 1e-10, "{row:?}");
+}
+
+#[test]
+fn inputs_by_tables_drive_a_spin_by_their_integral() {
+    let folder = Folder::new();
+    for (between, angle) in [("constant", 0.5 + 2.0 * 9.5), ("linear", 0.5 * 1.5 + 9.5)] {
+        let tables = format!(
+            "[inputs.u]\ntimes = [0, 0.5, 10]\nvalues = [1, 2, 0]\ninterpolation = '{between}'\n\
+             [drive]\nPi = [0, 0, 'u']\n"
+        );
+        let still = SPIN.replace("parameters.B = 2", "parameters.B = 0");
+        let (_, row) = last(&folder, &(still + &tables), &[]);
+        // ds/dt = −s × u e₃ with the plus bracket.
+        assert!((row[1] - f64::cos(angle)).abs() < 1e-7, "{between}: {row:?}");
+    }
+}
+
+#[test]
+fn noise_is_the_same_for_the_same_seed_and_path_and_after_an_interruption() {
+    let folder = Folder::new();
+    let warm = format!("{SPIN}[damping]\nfriction = 0.5\n[noise]\ntemperature = 0.5\n");
+    let (told, first) = last(&folder, &warm, &[]);
+    assert!(told.contains("noise of seed 1, path 0") && told.contains("of this path"), "{told}");
+    let whole = folder.read("a.csv");
+    assert_eq!(last(&folder, &warm, &[]).1, first);
+    let others = [
+        ["--set", "noise.path=1"],
+        ["--set", "noise.seed=2"],
+        ["--set", "noise.rule='alternating'"],
+    ];
+    for other in others {
+        assert_ne!(last(&folder, &warm, &other).1, first, "{other:?}");
+    }
+    let length: f64 = first[1..4].iter().map(|x| x * x).sum();
+    assert!((length - 1.0).abs() < 1e-13);
+    // The half of the step sees the same noise: the paths come closer.
+    let near = |step: &str| {
+        let step = format!("integrator.step={step}");
+        last(&folder, &warm, &["--set", "noise.interval=0.1", "--set", &step]).1
+    };
+    let [whole_steps, half, quarter] = ["0.1", "0.0125", "0.00625"].map(near);
+    assert_eq!(whole_steps, first);
+    let distance = |a: &[f64], b: &[f64]| (1..4).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
+    assert!(distance(&half, &quarter) < 0.1, "{half:?} {quarter:?}");
+    // A chart and an array of the same run.
+    let done = folder.heavytop(&["simulate", "a.toml", "--out", "a.npz"]);
+    succeeded(&done);
+    succeeded(&folder.heavytop(&["plot", "a.npz", "--out", "a.svg"]));
+    assert!(folder.read("a.svg").contains("noise of seed 1, path 0"));
+    assert!(!whole.is_empty());
+}
+
+/// Strength and fields by formulas.
+#[test]
+fn noise_has_a_strength_or_fields() {
+    let folder = Folder::new();
+    let still = SPIN.replace("parameters.B = 2", "parameters.B = 0");
+    let shaken = |noise: &str| last(&folder, &format!("{still}[noise]\n{noise}\n"), &[]).1;
+    let about_e3 = shaken("fields = [{ Pi = [0, 0, 0.5] }]");
+    assert!(about_e3[3].abs() < 1e-14 && (about_e3[1] - 1.0).abs() > 1e-3, "{about_e3:?}");
+    let [one, other] = ["strength = 0.5", "strength = 0.25\ninner_product = 4"].map(shaken);
+    assert!((1..4).all(|i| (one[i] - other[i]).abs() < 1e-12), "{one:?} {other:?}");
+    assert!((shaken("strength = 0")[1] - 1.0).abs() < 1e-14);
+}
