@@ -25,7 +25,7 @@ use lie_poisson::{Pair, State};
 ///
 /// The Brownian motions are [functions of time](BrownianPaths): those of the transport noise are the first components of a
 /// path, and those of the stirring the next. A momentum is (W, (number of the path, time)), and a state has the time in
-/// intervals of the paths. Backward in time a run retraces the path of the noise, without viscosity.
+/// intervals of the paths. Without viscosity a run backward in time retraces its path.
 ///
 /// Sources: Ephrati, Cifani, Viviani & Geurts, Phys. Fluids 35 (2023), for the transport noise; Cifani, Viviani, Luesink, Modin &
 /// Geurts, Phys. Rev. Fluids 7 (2022), for the splitting.

@@ -3,6 +3,7 @@
 use crate::error::{SystemError, require_finite, require_not_negative, require_within};
 use crate::matrix_hydrodynamics::vorticity_coefficients::VorticityCoefficients;
 use crate::matrix_hydrodynamics::zeitlin::Zeitlin;
+use crate::open_fluids::harmonic_bands::HarmonicBands;
 use collective_integrators::{StepError, TorqueFlow};
 use isospectral_flows::LargeSkewHermitian;
 use isospectral_flows::num_complex::Complex;
@@ -29,7 +30,7 @@ const POWERS: [f64; 2] = [1.0, 32.0];
 /// ω_lm(t) = ω_lm + (e^(−λt) − 1)(ω_lm − f_lm) + t F_lm (1 − e^(−λt))/(λt)
 /// ```
 ///
-/// It takes O(N³) operations and O(N²) memory. [`Torqued`](collective_integrators::Torqued) adds it to an isospectral method by
+/// It takes O(N³) operations, less than a step of the fluid, and memory for N³/6 numbers, which clones share. [`Torqued`](collective_integrators::Torqued) adds it to an isospectral method by
 /// Strang splitting, with order 2. The Casimirs change through R alone, and where R = 0 they are conserved to round-off.
 ///
 /// A viscous flow runs forward only: backward in time it amplifies degree l by exp(ν (l(l + 1))ᵖ t). Compositions of order above 2
@@ -58,6 +59,7 @@ const POWERS: [f64; 2] = [1.0, 32.0];
 #[derive(Clone, Debug, PartialEq)]
 pub struct ViscousForcing {
     fluid: Zeitlin,
+    bands: HarmonicBands,
     viscosity: f64,
     power: u32,
     drag: f64,
@@ -69,7 +71,8 @@ impl ViscousForcing {
     #[must_use]
     pub fn new(fluid: Zeitlin) -> Self {
         let force = VorticityCoefficients::zeros(fluid.laplacian().size());
-        Self { fluid, viscosity: 0.0, power: 1, drag: 0.0, force }
+        let bands = HarmonicBands::new(fluid.laplacian());
+        Self { fluid, bands, viscosity: 0.0, power: 1, drag: 0.0, force }
     }
 
     /// Returns this with the viscosity ν and the power p.
@@ -134,46 +137,18 @@ impl ViscousForcing {
         self.linear_change(w, |decay| (-decay, 1.0))
     }
 
-    /// Returns the matrix of a(λ_l) (ω_lm − f_lm) + b(λ_l) F_lm. Degrees without a rate and a force have none.
+    /// Returns the matrix of a(λ_l) (ω_lm − f_lm) + b(λ_l) F_lm.
     fn linear_change(
         &self,
         w: &LargeSkewHermitian,
         factors: impl Fn(f64) -> (f64, f64),
     ) -> LargeSkewHermitian {
-        let laplacian = self.fluid.laplacian();
-        let n = laplacian.size();
-        let mut change = LargeSkewHermitian::zeros(w.size());
-        if w.size() != n {
-            change.change_upper(|re, im| {
-                re.fill(f64::NAN);
-                im.fill(f64::NAN);
-            });
-            return change;
-        }
-        let norm = 4.0 * std::f64::consts::PI / n as f64;
-        change.change_upper(|re, im| {
-            for l in 0..n {
-                let decay = self.decay_rate(l);
-                let (a, b) = factors(decay);
-                for m in 0..=l {
-                    let force = self.force.at(l, m) * b;
-                    if decay == 0.0 && force == Complex::ZERO {
-                        continue;
-                    }
-                    let harmonic = laplacian.harmonic(l, m);
-                    let entries = harmonic.iter().enumerate();
-                    let sum: Complex<f64> = entries.map(|(j, t)| w.at(j, j + m) * *t).sum();
-                    // ω_lm is the sum divided by i.
-                    let relative = Complex::new(sum.im, -sum.re) * norm - self.planetary(l, m);
-                    let value = Complex::<f64>::I * (relative * a + force);
-                    for (j, t) in harmonic.iter().enumerate() {
-                        re[j + n * (j + m)] += value.re * t;
-                        im[j + n * (j + m)] += value.im * t;
-                    }
-                }
-            }
-        });
-        change
+        let rates = (0..self.fluid.laplacian().size()).map(|l| factors(self.decay_rate(l)));
+        let rates: Vec<_> = rates.collect();
+        self.bands.change(w, |l, m, omega| {
+            let (a, b) = rates[l];
+            (omega - self.planetary(l, m)) * a + self.force.at(l, m) * b
+        })
     }
 
     /// Returns f_lm, the coefficient of 2Ω x₃ = 2Ω √(4π/3) Y₁₀.
