@@ -3,10 +3,11 @@
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
 use lie_poisson::State;
 
-/// Noise Σ_k [Ξ_k, W] ∘ dW_k of an [isospectral equation](crate::IsospectralField), with constant generators Ξ_k ∈ u(N).
+/// Noise Σ_k [Ξ_k, W] ∘ dW_k of an [isospectral equation](crate::IsospectralField), with constant generators Ξ_k ∈
+/// u(N).
 ///
-/// A Brownian motion W_k has the unit √t, so that Ξ_k has the unit 1/√t. A vector of matrices is the noise that has them as
-/// generators.
+/// A Brownian motion W_k has the unit √t, so that Ξ_k has the unit 1/√t. A vector of matrices is the noise that has
+/// them as generators.
 ///
 /// Source: Arnaudon, de Castro & Holm, *Noise and dissipation on coadjoint orbits*, J. Nonlinear Sci. 28 (2018).
 ///
@@ -16,8 +17,8 @@ pub trait IsospectralNoise {
     /// Returns the number of generators.
     fn count(&self) -> usize;
 
-    /// Adds Σ_k w_k Ξ_k to a matrix, for as many weights as there are generators. The result is NaN if the matrix does not have
-    /// the size of the generators.
+    /// Adds Σ_k w_k Ξ_k to a matrix, for as many weights as there are generators. The result is NaN if the matrix does
+    /// not have the size of the generators.
     fn add_to(&self, weights: &[f64], generator: &mut LargeSkewHermitian);
 }
 

@@ -10,23 +10,26 @@ use collective_integrators::{
 };
 use lie_poisson::{Pair, State};
 
-/// The integrator of an [isospectral equation](IsospectralField) with [noise](IsospectralNoise), in Stratonovich's sense:
+/// The integrator of an [isospectral equation](IsospectralField) with [noise](IsospectralNoise), in Stratonovich's
+/// sense:
 ///
 /// ```text
 /// dW = [B(W), W] dt + Σ_k [Ξ_k, W] ∘ dW_k
 /// ```
 ///
-/// A step is one of [`IsospectralRungeKutta`](crate::IsospectralRungeKutta) with the generator B(W) + Σ_k (ΔW_k/h) Ξ_k. So each
-/// path keeps the spectrum of W to round-off, with every symplectic scheme; the implicit midpoint rule gives the stochastic
-/// isospectral midpoint rule. The strong order is ½, and 1 if the generators Ξ_k commute with each other; the weak order is 1.
+/// A step is one of [`IsospectralRungeKutta`](crate::IsospectralRungeKutta) with the generator B(W) + Σ_k (ΔW_k/h) Ξ_k.
+/// So each path keeps the spectrum of W to round-off, with every symplectic scheme; the implicit midpoint rule gives
+/// the stochastic isospectral midpoint rule. The strong order is ½, and 1 if the generators Ξ_k commute with each
+/// other; the weak order is 1.
 ///
-/// The increments ΔW_k are those of [`BrownianPaths`]: functions of the seed, the number of the path, k and the time, and
-/// bounded, so that the stage equations of a step that is short enough always have a solution. A momentum is (W, (number of the
-/// path, time)), as that of [`Noisy`](collective_integrators::Noisy); a state has the time in intervals of the paths.
+/// The increments ΔW_k are those of [`BrownianPaths`]: functions of the seed, the number of the path, k and the time,
+/// and bounded, so that the stage equations of a step that is short enough always have a solution. A momentum is (W,
+/// (number of the path, time)), as that of [`Noisy`](collective_integrators::Noisy); a state has the time in intervals
+/// of the paths.
 ///
-/// Sources: Ephrati, Cifani, Viviani & Geurts, *Data-driven stochastic spectral modeling for coarsening of the two-dimensional
-/// Euler equations on the sphere*, Phys. Fluids 35 (2023); Luesink, Ephrati, Cifani & Geurts, *Casimir preserving stochastic
-/// Lie–Poisson integrators*, Adv. Contin. Discrete Models (2024).
+/// Sources: Ephrati, Cifani, Viviani & Geurts, *Data-driven stochastic spectral modeling for coarsening of the
+/// two-dimensional Euler equations on the sphere*, Phys. Fluids 35 (2023); Luesink, Ephrati, Cifani & Geurts, *Casimir
+/// preserving stochastic Lie–Poisson integrators*, Adv. Contin. Discrete Models (2024).
 ///
 /// # Example
 /// Without a drift, and with one generator Ξ, the path is W(t) = exp(Ξ W₁(t)) W(0) exp(−Ξ W₁(t)):

@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 /// The matrices T_lm of all spherical harmonics, for changes of the coefficients ω_lm of a matrix.
 ///
-/// T_lm fills the diagonal number m, and its entries are symmetric about the middle of the diagonal for even l − m, and antisymmetric
-/// for odd l − m. So the first half of them is stored, about N³/6 numbers in all, which clones share.
+/// T_lm fills the diagonal number m, and its entries are symmetric about the middle of the diagonal for even l − m, and
+/// antisymmetric for odd l − m. So the first half of them is stored, about N³/6 numbers in all, which clones share.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct HarmonicBands {
     size: usize,
@@ -28,7 +28,8 @@ impl HarmonicBands {
         Self { size, halves: Arc::new((0..size).map(band).collect()) }
     }
 
-    /// Returns the matrix with the coefficients f(l, m, ω_lm), m ≥ 0, where ω_lm are those of W. It is NaN if W has another size.
+    /// Returns the matrix with the coefficients f(l, m, ω_lm), m ≥ 0, where ω_lm are those of W. It is NaN if W has
+    /// another size.
     pub(crate) fn change(
         &self,
         w: &LargeSkewHermitian,
@@ -61,7 +62,8 @@ impl HarmonicBands {
     }
 }
 
-/// A diagonal of a matrix, folded at its middle, and a change of it: each the even and the odd part, real and imaginary.
+/// A diagonal of a matrix, folded at its middle, and a change of it: each the even and the odd part, real and
+/// imaginary.
 #[derive(Default)]
 struct Fold {
     given: [[Vec<f64>; 2]; 2],

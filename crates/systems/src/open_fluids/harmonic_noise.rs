@@ -16,12 +16,13 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 ///
 /// Its functions are one of two things:
 ///
-/// * stream functions, of noise that carries a fluid along, dW = [P, W]/ħ dt + Σ_k \[ξ_k, W]/ħ ∘ dW_k: transport noise. The strengths
-///   σ have the unit 1/√t. The noise is an [`IsospectralNoise`] with the generators ξ_k/ħ, so that each path keeps all Casimirs;
+/// * stream functions, of noise that carries a fluid along, dW = [P, W]/ħ dt + Σ_k \[ξ_k, W]/ħ ∘ dW_k: transport noise.
+///   The strengths σ have the unit 1/√t. The noise is an [`IsospectralNoise`] with the generators ξ_k/ħ, so that each
+///   path keeps all Casimirs;
 /// * rates of vorticity, dω = Σ_k ξ_k dW_k: a force that is white in time. The strengths σ have the unit 1/(t√t).
 ///
-/// Sources: Holm, *Variational principles for stochastic fluid dynamics*, Proc. R. Soc. A 471 (2015); Ephrati, Cifani, Viviani &
-/// Geurts, Phys. Fluids 35 (2023).
+/// Sources: Holm, *Variational principles for stochastic fluid dynamics*, Proc. R. Soc. A 471 (2015); Ephrati, Cifani,
+/// Viviani & Geurts, Phys. Fluids 35 (2023).
 ///
 /// # Example
 /// ```
@@ -86,10 +87,12 @@ impl HarmonicNoise {
         Ok(self)
     }
 
-    /// Returns this and noise of the strength σ in all harmonics of the degrees from the least to the largest one: isotropic noise.
+    /// Returns this and noise of the strength σ in all harmonics of the degrees from the least to the largest one:
+    /// isotropic noise.
     ///
     /// # Errors
-    /// Those of [`with_harmonic`](Self::with_harmonic), and [`SystemError::OutOfRange`] if the least degree is above the largest.
+    /// Those of [`with_harmonic`](Self::with_harmonic), and [`SystemError::OutOfRange`] if the least degree is above
+    /// the largest.
     pub fn with_shell(self, [least, most]: [usize; 2], strength: f64) -> Result<Self, SystemError> {
         let highest = self.laplacian.size() as f64 - 1.0;
         require_within("the largest degree of noise", most as f64, [1.0, highest])?;
@@ -110,27 +113,29 @@ impl HarmonicNoise {
         self.terms.iter().map(Term::count).sum()
     }
 
-    /// Returns the viscosity κ that isotropic transport noise gives to the mean vorticity on scales much larger than its own, and
-    /// at every N to the mean angular momentum, which decays as exp(−2κt):
+    /// Returns the viscosity κ that isotropic transport noise gives to the mean vorticity on scales much larger than
+    /// its own, and at every N to the mean angular momentum, which decays as exp(−2κt):
     ///
     /// ```text
     /// κ = Σ_l σ_l² l(l + 1)(2l + 1)/16π
     /// ```
     ///
-    /// It is a quarter of the mean of |u|² dt for the velocity u of the noise. Noise of degree 1 is a random rotation of the
-    /// sphere, for which the mean of every degree decays as exp(−κ l(l + 1) t).
+    /// It is a quarter of the mean of |u|² dt for the velocity u of the noise. Noise of degree 1 is a random rotation
+    /// of the sphere, for which the mean of every degree decays as exp(−κ l(l + 1) t).
     #[must_use]
     pub fn eddy_viscosity(&self) -> f64 {
         self.sum(|term| term.eigenvalue() / (16.0 * PI))
     }
 
-    /// Returns Σ_l (2l + 1) σ_l², the mean rate of the [enstrophy](Zeitlin::enstrophy) by a force that is white in time.
+    /// Returns Σ_l (2l + 1) σ_l², the mean rate of the [enstrophy](Zeitlin::enstrophy) by a force that is white in
+    /// time.
     #[must_use]
     pub fn enstrophy_injection(&self) -> f64 {
         self.sum(|_| 1.0)
     }
 
-    /// Returns Σ_l (2l + 1) σ_l²/(2l(l + 1)), the mean rate of the [energy](Zeitlin::energy) by a force that is white in time.
+    /// Returns Σ_l (2l + 1) σ_l²/(2l(l + 1)), the mean rate of the [energy](Zeitlin::energy) by a force that is white
+    /// in time.
     #[must_use]
     pub fn energy_injection(&self) -> f64 {
         self.sum(|term| 0.5 / term.eigenvalue())
@@ -142,7 +147,8 @@ impl HarmonicNoise {
         self.terms.iter().map(of).sum()
     }
 
-    /// Adds the matrix of Σ_k c_l w_k ξ_k, with a factor c_l for each degree. The result is NaN if the matrix has another size.
+    /// Adds the matrix of Σ_k c_l w_k ξ_k, with a factor c_l for each degree. The result is NaN if the matrix has
+    /// another size.
     pub(crate) fn add_functions(
         &self,
         mut weights: &[f64],

@@ -18,17 +18,17 @@ use lie_poisson::{Pair, State};
 /// dW = [P, W]/ħ dt + Σ_k [ξ_k, W]/ħ ∘ dW_k + R dt + Σ_k η_k dB_k
 /// ```
 ///
-/// A step is half a step of R and η, a step of the stochastic isospectral midpoint rule ([`NoisyIsospectral`]), and half a step of R and
-/// η. Each path keeps all Casimirs to round-off if R and η are zero, whatever the transport noise. The stirred linear part has the law of
-/// its exact solution: a harmonic without flow has the variance σ²/2λ_l at every step size. The strong order is that of the transport
-/// noise, ½, or 1 for noise that commutes or without it.
+/// A step is half a step of R and η, a step of the stochastic isospectral midpoint rule ([`NoisyIsospectral`]), and
+/// half a step of R and η. Each path keeps all Casimirs to round-off if R and η are zero, whatever the transport noise.
+/// The stirred linear part has the law of its exact solution: a harmonic without flow has the variance σ²/2λ_l at every
+/// step size. The strong order is that of the transport noise, ½, or 1 for noise that commutes or without it.
 ///
-/// The Brownian motions are [functions of time](BrownianPaths): those of the transport noise are the first components of a
-/// path, and those of the stirring the next. A momentum is (W, (number of the path, time)), and a state has the time in
-/// intervals of the paths. Without viscosity a run backward in time retraces its path.
+/// The Brownian motions are [functions of time](BrownianPaths): those of the transport noise are the first components
+/// of a path, and those of the stirring the next. A momentum is (W, (number of the path, time)), and a state has the
+/// time in intervals of the paths. Without viscosity a run backward in time retraces its path.
 ///
-/// Sources: Ephrati, Cifani, Viviani & Geurts, Phys. Fluids 35 (2023), for the transport noise; Cifani, Viviani, Luesink, Modin &
-/// Geurts, Phys. Rev. Fluids 7 (2022), for the splitting.
+/// Sources: Ephrati, Cifani, Viviani & Geurts, Phys. Fluids 35 (2023), for the transport noise; Cifani, Viviani,
+/// Luesink, Modin & Geurts, Phys. Rev. Fluids 7 (2022), for the splitting.
 ///
 /// # Example
 /// Transport noise alone keeps the Casimirs of a path, and changes its energy:
@@ -119,8 +119,8 @@ impl StochasticFluid {
         &self.stirring
     }
 
-    /// Replaces W by its value after the viscosity, the force and the stirring have acted for a time, with the stirring of a path
-    /// between two times that are counted in intervals.
+    /// Replaces W by its value after the viscosity, the force and the stirring have acted for a time, with the stirring
+    /// of a path between two times that are counted in intervals.
     fn force(
         &self,
         w: &mut LargeSkewHermitian,

@@ -9,8 +9,8 @@ use isospectral_flows::LargeSkewHermitian;
 use isospectral_flows::num_complex::Complex;
 use lie_poisson::State;
 
-/// The least and the largest power of the Laplace operator in a viscosity. The largest one keeps (l(l + 1))ᵖ a finite number for
-/// every degree below 60 000.
+/// The least and the largest power of the Laplace operator in a viscosity. The largest one keeps (l(l + 1))ᵖ a finite
+/// number for every degree below 60 000.
 const POWERS: [f64; 2] = [1.0, 32.0];
 
 /// Viscosity, drag and a constant force on a [fluid on the sphere](Zeitlin), which act on each harmonic by itself:
@@ -19,10 +19,10 @@ const POWERS: [f64; 2] = [1.0, 32.0];
 /// dW/dt = [P, W]/ħ + R,    R_lm = F_lm − λ_l (ω_lm − f_lm),    λ_l = α + ν (l(l + 1))ᵖ
 /// ```
 ///
-/// The viscosity ν with p = 1 is that of the Laplace operator; with p > 1 it is a hyperviscosity −(−1)ᵖ ν Δᵖ, which damps small
-/// eddies alone. The linear drag α damps all degrees alike. Both act on the relative vorticity ω − f, with f = 2Ω x₃ on a sphere
-/// that rotates, and α, ν and F/ω are in inverse units of time. (In a Newtonian fluid a rotation of the whole sphere is not
-/// damped, and λ_l = ν (l − 1)(l + 2) instead.)
+/// The viscosity ν with p = 1 is that of the Laplace operator; with p > 1 it is a hyperviscosity −(−1)ᵖ ν Δᵖ, which
+/// damps small eddies alone. The linear drag α damps all degrees alike. Both act on the relative vorticity ω − f, with
+/// f = 2Ω x₃ on a sphere that rotates, and α, ν and F/ω are in inverse units of time. (In a Newtonian fluid a rotation
+/// of the whole sphere is not damped, and λ_l = ν (l − 1)(l + 2) instead.)
 ///
 /// As a [`TorqueFlow`] it is the exact flow of dW/dt = R, for any size of λ_l times the step:
 ///
@@ -30,15 +30,17 @@ const POWERS: [f64; 2] = [1.0, 32.0];
 /// ω_lm(t) = ω_lm + (e^(−λt) − 1)(ω_lm − f_lm) + t F_lm (1 − e^(−λt))/(λt)
 /// ```
 ///
-/// It takes O(N³) operations, less than a step of the fluid, and memory for N³/6 numbers, which clones share. [`Torqued`](collective_integrators::Torqued) adds it to an isospectral method by
-/// Strang splitting, with order 2. The Casimirs change through R alone, and where R = 0 they are conserved to round-off.
+/// It takes O(N³) operations, less than a step of the fluid, and memory for N³/6 numbers, which clones share.
+/// [`Torqued`](collective_integrators::Torqued) adds it to an isospectral method by Strang splitting, with order 2. The
+/// Casimirs change through R alone, and where R = 0 they are conserved to round-off.
 ///
-/// A viscous flow runs forward only: backward in time it amplifies degree l by exp(ν (l(l + 1))ᵖ t). Compositions of order above 2
-/// have steps backward (Sheng 1989; Suzuki 1991), so that the step of a [`Composition`](collective_integrators::Composition) with
-/// viscosity is an error. Drag and forces alone run in both directions, and a composition has its order.
+/// A viscous flow runs forward only: backward in time it amplifies degree l by exp(ν (l(l + 1))ᵖ t). Compositions of
+/// order above 2 have steps backward (Sheng 1989; Suzuki 1991), so that the step of a
+/// [`Composition`](collective_integrators::Composition) with viscosity is an error. Drag and forces alone run in both
+/// directions, and a composition has its order.
 ///
-/// Sources: Cifani, Viviani, Luesink, Modin & Geurts, *Casimir preserving spectrum of two-dimensional turbulence*, Phys. Rev.
-/// Fluids 7 (2022); Strang, SIAM J. Numer. Anal. 5 (1968).
+/// Sources: Cifani, Viviani, Luesink, Modin & Geurts, *Casimir preserving spectrum of two-dimensional turbulence*,
+/// Phys. Rev. Fluids 7 (2022); Strang, SIAM J. Numer. Anal. 5 (1968).
 ///
 /// # Example
 /// A harmonic is a steady flow of an ideal fluid, so that a viscous one damps it as exp(−ν l(l + 1) t):
@@ -78,8 +80,9 @@ impl ViscousForcing {
     /// Returns this with the viscosity ν and the power p.
     ///
     /// # Errors
-    /// Returns [`SystemError::NotFinite`] or [`SystemError::Negative`] for a viscosity that is not finite or is negative, and
-    /// [`SystemError::OutOfRange`] for a power that is not 1 … 32 or if ν (N(N − 1))ᵖ is too large for a number.
+    /// Returns [`SystemError::NotFinite`] or [`SystemError::Negative`] for a viscosity that is not finite or is
+    /// negative, and [`SystemError::OutOfRange`] for a power that is not 1 … 32 or if ν (N(N − 1))ᵖ is too large for a
+    /// number.
     pub fn with_viscosity(self, viscosity: f64, power: u32) -> Result<Self, SystemError> {
         require_not_negative("the viscosity", viscosity)?;
         require_within("the power of the Laplace operator", f64::from(power), POWERS)?;
@@ -101,8 +104,8 @@ impl ViscousForcing {
     /// Returns this with the force F, as the rate of the vorticity.
     ///
     /// # Errors
-    /// Returns [`SystemError::NotFinite`] for a coefficient that is not finite, and [`SystemError::OutOfRange`] for one that is
-    /// not zero and has a degree that is not 1 … N − 1: the mean of a vorticity is zero.
+    /// Returns [`SystemError::NotFinite`] for a coefficient that is not finite, and [`SystemError::OutOfRange`] for one
+    /// that is not zero and has a degree that is not 1 … N − 1: the mean of a vorticity is zero.
     pub fn with_force(self, force: &VorticityCoefficients) -> Result<Self, SystemError> {
         let size = self.fluid.laplacian().size();
         for (l, m) in (0..force.size()).flat_map(|l| (0..=l).map(move |m| (l, m))) {
@@ -131,7 +134,8 @@ impl ViscousForcing {
         }
     }
 
-    /// Returns the torque R: the rate of W by viscosity, drag and force. It is NaN if W does not have the size of the fluid.
+    /// Returns the torque R: the rate of W by viscosity, drag and force. It is NaN if W does not have the size of the
+    /// fluid.
     #[must_use]
     pub fn torque(&self, w: &LargeSkewHermitian) -> LargeSkewHermitian {
         self.linear_change(w, |decay| (-decay, 1.0))
@@ -172,8 +176,8 @@ impl TorqueFlow<LargeSkewHermitian> for ViscousForcing {
     /// Returns [`StepError::NoLift`] for a negative time if there is viscosity.
     fn flow(&self, w: &mut LargeSkewHermitian, step: f64) -> Result<(), StepError> {
         if step < 0.0 && self.viscosity > 0.0 {
-            let reason = "viscosity runs forward in time only, and this step is negative; compositions of order above 2 \
-                          have such steps";
+            let reason = "viscosity runs forward in time only, and this step is negative; compositions of order above \
+                          2 have such steps";
             return Err(StepError::NoLift { reason });
         }
         let change = self.linear_change(w, |decay| {

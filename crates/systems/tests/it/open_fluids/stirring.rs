@@ -1,4 +1,5 @@
-//! A fluid on the sphere that is stirred by forces white in time: variances and rates, strong orders, units, and what is refused.
+//! A fluid on the sphere that is stirred by forces white in time: variances and rates, strong orders, units, and what
+//! is refused.
 
 use crate::fluids::zeitlin::{difference, largest};
 use crate::open_fluids::support::{eddies, mean, on_path, paths};

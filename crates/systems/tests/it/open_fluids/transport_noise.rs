@@ -132,7 +132,8 @@ fn components_are_the_real_harmonics() {
     assert!(difference(&generator, &expected) < 1e-14);
 }
 
-/// Noise of degree 1 and order 0 turns the sphere about x₃ by the angle σ √(3/4π) W(t), and a flow of one degree with it.
+/// Noise of degree 1 and order 0 turns the sphere about x₃ by the angle σ √(3/4π) W(t), and a flow of one degree with
+/// it.
 #[test]
 fn noise_along_the_axis_turns_a_steady_flow() {
     let (size, l, step, steps) = (8, 3, 0.005, 200);
