@@ -47,6 +47,7 @@
 //! | a Poisson map, by any symplectic Runge–Kutta method | [`IsospectralRungeKutta`] |
 //! | a Poisson map whose error does not grow with N | [`ExponentialMidpoint`], and its [`Composition`] |
 //! | the spectrum alone, at the lowest cost | [`GaussMagnus`] |
+//! | the spectrum of each path of an equation with noise | [`NoisyIsospectral`], with an [`IsospectralNoise`] |
 //! | no structure: an explicit method | [`Direct`](collective_integrators::Direct) with a [`CommutatorField`] |
 //! | skew-Hermitian and complex matrices of any size | [`LargeSkewHermitian`], [`LargeMatrix`] |
 //! | products, commutators, exponentials | [`Products`] |
@@ -90,12 +91,14 @@ mod methods;
 
 pub use fields::direct_field::CommutatorField;
 pub use fields::isospectral_field::IsospectralField;
+pub use fields::isospectral_noise::IsospectralNoise;
 pub use matrices::large_matrix::LargeMatrix;
 pub use matrices::products::Products;
 pub use matrices::skew_hermitian::LargeSkewHermitian;
 pub use methods::exponential_midpoint::{ExponentialMidpoint, ExponentialWorkspace};
 pub use methods::gauss_magnus::{GaussMagnus, MagnusWorkspace};
 pub use methods::isospectral_runge_kutta::{IsospectralRungeKutta, IsospectralWorkspace};
+pub use methods::noisy_isospectral::{NoisyIsospectral, NoisyIsospectralWorkspace};
 
 pub use collective_integrators;
 pub use lie_poisson;

@@ -45,6 +45,8 @@
 //! | a heavy top on a movable base, on (se(3) ⋉ R³)∗ | [`MovableBaseTop`], [`MovableBaseAlgebra`] |
 //! | a free rigid body in N dimensions, on so(N)∗ | [`GeneralisedRigidBody`] |
 //! | an ideal fluid on the sphere, on u(N)∗ | [`Zeitlin`], with [`VorticityCoefficients`]; [`ZeitlinCoordinates`] for tangent vectors |
+//! | the same fluid with viscosity, drag and a force | [`ViscousForcing`], in [`Torqued`](collective_integrators::Torqued) |
+//! | the same fluid with transport noise, and with forces that are white in time | [`StochasticFluid`], with [`HarmonicNoise`] |
 //! | the Laplace operator of the sphere on matrices | [`QuantisedLaplacian`] |
 //! | the type of these phase spaces and of their points | [`SpinSpace`], [`Spins`], [`SpinLatticeSpace`] |
 //! | the reason why parameters are rejected | [`SystemError`] |
@@ -101,6 +103,8 @@ mod movable_base;
 mod rigid_body;
 #[cfg(feature = "isospectral")]
 mod matrix_hydrodynamics;
+#[cfg(feature = "isospectral")]
+mod open_fluids;
 pub mod prelude;
 
 pub use body_in_fluid::kirchhoff::Kirchhoff;
@@ -129,6 +133,12 @@ pub use matrix_hydrodynamics::{
     quantised_laplacian::QuantisedLaplacian, spherical_harmonic::associated_legendre,
     vorticity_coefficients::VorticityCoefficients, zeitlin::Zeitlin,
     zeitlin_coordinates::ZeitlinCoordinates,
+};
+#[cfg(feature = "isospectral")]
+pub use open_fluids::{
+    harmonic_noise::HarmonicNoise,
+    stochastic_fluid::{StochasticFluid, StochasticFluidWorkspace},
+    viscous_forcing::ViscousForcing,
 };
 #[cfg(feature = "isospectral")]
 pub use rigid_body::generalised_rigid_body::GeneralisedRigidBody;

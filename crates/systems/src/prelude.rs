@@ -19,7 +19,10 @@
 //! ```
 
 #[cfg(feature = "isospectral")]
-pub use crate::{GeneralisedRigidBody, VorticityCoefficients, Zeitlin};
+pub use crate::{
+    GeneralisedRigidBody, HarmonicNoise, StochasticFluid, ViscousForcing, VorticityCoefficients,
+    Zeitlin,
+};
 pub use crate::{
     Gyrostat, HeisenbergChain, HeisenbergLattice, KeplerOrbit, KidaVortex, Kirchhoff,
     LatticeMidpoint, ManyVortices, MovableBaseTop, PointVortices, ReactionWheels, Satellite,
@@ -27,7 +30,7 @@ pub use crate::{
     SpinSpace, Spins, SystemError, WheelMomenta,
 };
 pub use collective_integrators::{
-    Collective, Integrator, LiftFree, RungeKutta, SphericalMidpoint, Start,
+    BrownianPaths, Collective, Integrator, LiftFree, RungeKutta, SphericalMidpoint, Start, Torqued,
 };
 #[cfg(feature = "isospectral")]
 pub use isospectral_flows::{ExponentialMidpoint, GaussMagnus};

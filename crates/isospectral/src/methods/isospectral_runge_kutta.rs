@@ -92,6 +92,17 @@ pub struct IsospectralWorkspace<S: Equivariant> {
     conjugation: Conjugation,
 }
 
+impl<S: Equivariant> IsospectralWorkspace<S> {
+    /// Creates the storage for matrices of a size.
+    pub(crate) fn new(scheme: &S, size: usize) -> Self {
+        let zero = || LargeSkewHermitian::zeros(size);
+        let (moved, generator) = (zero(), zero());
+        let conjugation = Conjugation::new(size);
+        let stages = RefCell::new(StageStorage { products: Products::default(), moved, generator });
+        Self { scheme: scheme.workspace(), stages, conjugation }
+    }
+}
+
 /// The temporary matrices of an evaluation of B(Q W₀ Q*) Q.
 #[derive(Debug)]
 struct StageStorage {
@@ -125,17 +136,41 @@ impl<F: IsospectralField> VectorField for MultiplierField<'_, F> {
     }
 }
 
+/// Replaces W by W after a step of the scheme for Q. Returns the number of iterations.
+///
+/// # Errors
+/// Those of the step. In that case W is not changed.
+pub(crate) fn step_of_multiplier<S: Equivariant, F: IsospectralField>(
+    (scheme, field): (&S, &F),
+    w: &mut LargeSkewHermitian,
+    step: f64,
+    workspace: &mut IsospectralWorkspace<S>,
+) -> Result<usize, StepError> {
+    StepError::check_dimension(w, field.size().saturating_pow(2))?;
+    let IsospectralWorkspace { scheme: storage, stages, conjugation } = workspace;
+    let mut zero = stages.borrow_mut().products.take(w.matrix());
+    zero.set_zero();
+    let rate = MultiplierField { field, start: w, storage: stages };
+    // In every step Q begins at 1: the stages of the previous step are in another frame.
+    scheme.forget(storage);
+    let made = scheme.increment(&rate, &zero, step, storage);
+    let products = &mut stages.get_mut().products;
+    products.give(zero);
+    let Step { point: y, iterations } = made?;
+    let conjugated = conjugation.by(products, (&y, iterations), w);
+    if let Some(pool) = scheme.temporaries(storage) {
+        y.give(pool);
+    }
+    conjugated.map(|()| iterations)
+}
+
 impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S, F> {
     type State = LargeSkewHermitian;
     type Momentum = LargeSkewHermitian;
     type Workspace = IsospectralWorkspace<S>;
 
     fn workspace(&self) -> Self::Workspace {
-        let zero = || LargeSkewHermitian::zeros(self.field.size());
-        let (moved, generator) = (zero(), zero());
-        let conjugation = Conjugation::new(self.field.size());
-        let stages = RefCell::new(StageStorage { products: Products::default(), moved, generator });
-        IsospectralWorkspace { scheme: self.scheme.workspace(), stages, conjugation }
+        IsospectralWorkspace::new(&self.scheme, self.field.size())
     }
 
     fn step(
@@ -153,22 +188,7 @@ impl<S: Equivariant, F: IsospectralField> Integrator for IsospectralRungeKutta<S
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<usize, StepError> {
-        StepError::check_dimension(w, self.field.size().saturating_pow(2))?;
-        let IsospectralWorkspace { scheme, stages, conjugation } = workspace;
-        let mut zero = stages.borrow_mut().products.take(w.matrix());
-        zero.set_zero();
-        let field = MultiplierField { field: &self.field, start: w, storage: stages };
-        // In every step Q begins at 1: the stages of the previous step are in another frame.
-        self.scheme.forget(scheme);
-        let made = self.scheme.increment(&field, &zero, step, scheme);
-        let products = &mut stages.get_mut().products;
-        products.give(zero);
-        let Step { point: y, iterations } = made?;
-        let conjugated = conjugation.by(products, (&y, iterations), w);
-        if let Some(pool) = self.scheme.temporaries(scheme) {
-            y.give(pool);
-        }
-        conjugated.map(|()| iterations)
+        step_of_multiplier((&self.scheme, &self.field), w, step, workspace)
     }
 
     /// Every step forgets the stages of the one before.

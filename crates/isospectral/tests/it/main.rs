@@ -7,4 +7,5 @@ mod examples;
 mod isospectral_failures;
 mod matrices;
 mod isospectral_methods;
+mod noisy_isospectral;
 mod poisson;

@@ -6,6 +6,7 @@ mod bodies;
 mod fluids;
 mod law_samples;
 mod laws;
+mod open_fluids;
 mod satellite;
 mod spins;
 mod vortices;

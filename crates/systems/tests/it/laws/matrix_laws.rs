@@ -4,13 +4,19 @@ use super::field_laws::generator;
 use super::suites_with_controls::{holds, obeys};
 use crate::law_samples::{ENERGY_OF_ORDER_TWO, ROUND_OFF, ROUND_OFF_OF_RUNS, SHORT_STEP};
 use core::f64::consts::PI;
-use lie_poisson::State;
-use lie_poisson_systems::collective_integrators::{AnyState, Direct, RungeKutta, laws};
+use lie_poisson::{Pair, State};
+use lie_poisson_systems::collective_integrators::{
+    AnyState, BrownianPaths, Direct, PathAndTime, RungeKutta, laws,
+};
 use lie_poisson_systems::isospectral_flows::{
     IsospectralField, IsospectralRungeKutta, LargeSkewHermitian,
 };
+use lie_poisson_systems::nalgebra::Vector1;
 use lie_poisson_systems::num_complex::Complex;
-use lie_poisson_systems::{GeneralisedRigidBody, Zeitlin, ZeitlinCoordinates};
+use lie_poisson_systems::{
+    GeneralisedRigidBody, HarmonicNoise, StochasticFluid, ViscousForcing, Zeitlin,
+    ZeitlinCoordinates,
+};
 
 /// Returns a generic matrix without trace of norm 1.
 fn generic(size: usize) -> LargeSkewHermitian {
@@ -115,5 +121,30 @@ fn zeitlin_coordinates_laws() {
         });
         let others: [&dyn Fn(&AnyState) -> f64; 1] = [&|w| fluid.energy(&matrix(w))];
         holds(&direct, ENERGY_OF_ORDER_TWO, |i| laws::invariants(i, &states, SHORT_STEP, &others));
+    }
+}
+
+/// With all that acts on it the fluid has the laws of an integrator; with transport noise alone it keeps the Casimirs.
+#[test]
+fn stochastic_fluid_laws() {
+    for size in SIZES {
+        let fluid = Zeitlin::new(size).unwrap();
+        let paths = BrownianPaths::new(3, SHORT_STEP).unwrap();
+        let noise = HarmonicNoise::none(&fluid).with_shell([1, size - 1], 0.1).unwrap();
+        let none = ViscousForcing::new(fluid.clone());
+        let states = [Pair(generic(size), Pair(Vector1::new(4.0), Vector1::new(2.0)))];
+        if size == 3 {
+            let viscous = none.clone().with_viscosity(0.1, 1).unwrap();
+            let all = StochasticFluid::new(viscous, paths).with_transport(noise.clone()).unwrap();
+            let all = all.with_stirring(noise.clone()).unwrap();
+            obeys(&all, ("step", 1), ROUND_OFF, |i| laws::integrator(i, &states, SHORT_STEP));
+        }
+        let carried = StochasticFluid::new(none, paths).with_transport(noise).unwrap();
+        type Function<'a> = &'a dyn Fn(&Pair<LargeSkewHermitian, PathAndTime<f64>>) -> f64;
+        let exact: [Function<'_>; 2] =
+            [&|state| fluid.enstrophy(&state.0), &|state| fluid.casimirs(&state.0, 3)[2]];
+        obeys(&carried, ("step", 1), ROUND_OFF_OF_RUNS, |i| {
+            laws::invariants(i, &states, SHORT_STEP, &exact)
+        });
     }
 }

@@ -1,0 +1,178 @@
+//! Isospectral equations with noise: [`NoisyIsospectral`].
+
+use crate::fields::isospectral_field::IsospectralField;
+use crate::fields::isospectral_noise::IsospectralNoise;
+use crate::matrices::skew_hermitian::LargeSkewHermitian;
+use crate::methods::isospectral_runge_kutta::{IsospectralWorkspace, step_of_multiplier};
+use collective_integrators::momentum_map::LiftError;
+use collective_integrators::{
+    BrownianPaths, Equivariant, Integrator, PathAndTime, Start, Step, StepError,
+};
+use lie_poisson::{Pair, State};
+
+/// The integrator of an [isospectral equation](IsospectralField) with [noise](IsospectralNoise), in Stratonovich's
+/// sense:
+///
+/// ```text
+/// dW = [B(W), W] dt + Σ_k [Ξ_k, W] ∘ dW_k
+/// ```
+///
+/// A step is one of [`IsospectralRungeKutta`](crate::IsospectralRungeKutta) with the generator B(W) + Σ_k (ΔW_k/h) Ξ_k.
+/// So each path keeps the spectrum of W to round-off, with every symplectic scheme; the implicit midpoint rule gives
+/// the stochastic isospectral midpoint rule. The strong order is ½, and 1 if the generators Ξ_k commute with each
+/// other; the weak order is 1.
+///
+/// The increments ΔW_k are those of [`BrownianPaths`]: functions of the seed, the number of the path, k and the time,
+/// and bounded, so that the stage equations of a step that is short enough always have a solution. A momentum is (W,
+/// (number of the path, time)), as that of [`Noisy`](collective_integrators::Noisy); a state has the time in intervals
+/// of the paths.
+///
+/// Sources: Ephrati, Cifani, Viviani & Geurts, *Data-driven stochastic spectral modeling for coarsening of the
+/// two-dimensional Euler equations on the sphere*, Phys. Fluids 35 (2023); Luesink, Ephrati, Cifani & Geurts, *Casimir
+/// preserving stochastic Lie–Poisson integrators*, Adv. Contin. Discrete Models (2024).
+///
+/// # Example
+/// Without a drift, and with one generator Ξ, the path is W(t) = exp(Ξ W₁(t)) W(0) exp(−Ξ W₁(t)):
+/// ```
+/// use collective_integrators::{BrownianPaths, RungeKutta, Start};
+/// use isospectral_flows::{IsospectralField, LargeSkewHermitian, NoisyIsospectral};
+/// use lie_poisson::{Pair, State};
+/// use nalgebra::Vector1;
+/// use num_complex::Complex;
+/// struct Still(usize);
+/// impl IsospectralField for Still {
+///     fn size(&self) -> usize {
+///         self.0
+///     }
+///     fn generator_into(&self, _: &LargeSkewHermitian, b: &mut LargeSkewHermitian) {
+///         b.set_zero();
+///     }
+/// }
+/// let paths = BrownianPaths::new(1, 0.01)?; // the seed, and the length of an interval
+/// let xi = LargeSkewHermitian::from_upper(2, |j, k| Complex::new(0.0, if j == k { 0.5 - j as f64 } else { 0.0 }));
+/// let noisy = NoisyIsospectral::new(RungeKutta::gauss(2)?, Still(2), vec![xi], paths);
+/// let w = LargeSkewHermitian::from_upper(2, |_, k| Complex::new(k as f64, 0.0));
+/// let path = 7;
+/// let start = Pair(w, Pair(Vector1::new(path as f64), Vector1::new(0.0)));
+/// let Pair(end, Pair(_, time)) = noisy.after(&start, 0.01, 100)?.momentum;
+/// let mut motion = [0.0]; // W₁(1), the angle by which Ξ has turned the entry
+/// paths.write_increments(path, 0.0, 100.0, &mut motion);
+/// assert!((end.at(0, 1) - Complex::from_polar(1.0, motion[0])).norm() < 1e-6);
+/// assert!((time.x - 1.0).abs() < 1e-12 && (end.norm() - start.0.norm()).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct NoisyIsospectral<S, F, N> {
+    scheme: S,
+    field: F,
+    noise: N,
+    paths: BrownianPaths,
+}
+
+impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> NoisyIsospectral<S, F, N> {
+    /// Creates an integrator that applies the scheme to the unitary matrices which move W.
+    pub const fn new(scheme: S, field: F, noise: N, paths: BrownianPaths) -> Self {
+        Self { scheme, field, noise, paths }
+    }
+
+    /// Returns the equation without noise.
+    pub const fn field(&self) -> &F {
+        &self.field
+    }
+
+    /// Returns the noise.
+    pub const fn noise(&self) -> &N {
+        &self.noise
+    }
+
+    /// Returns the Brownian motions.
+    pub const fn paths(&self) -> &BrownianPaths {
+        &self.paths
+    }
+}
+
+/// The storage of a step of [`NoisyIsospectral`].
+pub struct NoisyIsospectralWorkspace<S: Equivariant> {
+    stages: IsospectralWorkspace<S>,
+    /// Σ_k (ΔW_k/h) Ξ_k.
+    noise: LargeSkewHermitian,
+    weights: Vec<f64>,
+}
+
+/// The generator B(W) + Ξ of a step, in which the noise Ξ is constant.
+struct WithNoise<'a, F> {
+    field: &'a F,
+    noise: &'a LargeSkewHermitian,
+}
+
+impl<F: IsospectralField> IsospectralField for WithNoise<'_, F> {
+    fn size(&self) -> usize {
+        self.field.size()
+    }
+
+    fn generator_into(&self, w: &LargeSkewHermitian, generator: &mut LargeSkewHermitian) {
+        self.field.generator_into(w, generator);
+        generator.add_in_place(self.noise);
+    }
+}
+
+impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> Integrator
+    for NoisyIsospectral<S, F, N>
+{
+    type State = Pair<LargeSkewHermitian, PathAndTime<f64>>;
+    type Momentum = Self::State;
+    type Workspace = NoisyIsospectralWorkspace<S>;
+
+    fn workspace(&self) -> Self::Workspace {
+        NoisyIsospectralWorkspace {
+            stages: IsospectralWorkspace::new(&self.scheme, self.field.size()),
+            noise: LargeSkewHermitian::zeros(self.field.size()),
+            weights: vec![0.0; self.noise.count()],
+        }
+    }
+
+    fn step(
+        &self,
+        state: &Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<Step<Self::State>, StepError> {
+        Step::of_copy(state, |state| self.step_in_place(state, step, workspace))
+    }
+
+    fn step_in_place(
+        &self,
+        Pair(w, clock): &mut Self::State,
+        step: f64,
+        workspace: &mut Self::Workspace,
+    ) -> Result<usize, StepError> {
+        StepError::check_start(clock, step)?;
+        let Pair(path, time) = clock;
+        let NoisyIsospectralWorkspace { stages, noise, weights } = workspace;
+        let end = time.x + step / self.paths.interval();
+        noise.set_zero();
+        if step != 0.0 {
+            self.paths.write_increments(path.x as u64, time.x, end, weights);
+            weights.iter_mut().for_each(|weight| *weight /= step);
+            self.noise.add_to(weights, noise);
+        }
+        let field = WithNoise { field: &self.field, noise };
+        let iterations = step_of_multiplier((&self.scheme, &field), w, step, stages)?;
+        time.x = end;
+        Ok(iterations)
+    }
+
+    /// Every step forgets the stages of the one before.
+    fn forget(&self, _: &mut Self::Workspace) {}
+
+    fn momentum(&self, Pair(w, Pair(path, clock)): &Self::State) -> Self::Momentum {
+        Pair(w.clone(), Pair(*path, *clock * self.paths.interval()))
+    }
+}
+
+impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> Start for NoisyIsospectral<S, F, N> {
+    /// Returns W, the number of the path, and the time in intervals.
+    fn start(&self, Pair(w, Pair(path, time)): &Self::Momentum) -> Result<Self::State, LiftError> {
+        Ok(Pair(w.clone(), Pair(*path, *time / self.paths.interval())))
+    }
+}

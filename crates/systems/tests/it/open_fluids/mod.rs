@@ -1,0 +1,7 @@
+//! Fluids on the sphere that viscosity damps, forces stir, and noise carries along.
+
+mod balances;
+mod stirring;
+mod support;
+mod transport_noise;
+mod viscous_decay;
