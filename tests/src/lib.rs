@@ -62,6 +62,8 @@ mod guide {
     mod long_runs {}
     #[doc = include_str!("../../docs/guide/systems.md")]
     mod systems {}
+    #[doc = include_str!("../../docs/guide/driven-damped-noisy.md")]
+    mod driven_damped_noisy {}
     #[doc = include_str!("../../docs/guide/satellite.md")]
     mod satellite {}
     #[doc = include_str!("../../docs/guide/lattices-and-fluids.md")]

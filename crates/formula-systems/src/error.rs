@@ -1,6 +1,6 @@
 //! The errors of systems, methods and initial states: [`FormulaSystemError`].
 
-use crate::open_systems::open_system_error::OpenSystemError;
+use crate::open_system_error::OpenSystemError;
 use heavytop::methods::{Formulation, MethodError, SchemeName};
 use lie_poisson_formulas::{CasimirError, EntryError, FormulaError, NameError, ValueError};
 use momentum_map::LiftError;

@@ -60,6 +60,7 @@
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+mod open_system_error;
 mod error;
 mod realisations;
 mod casimirs;
@@ -76,10 +77,10 @@ pub use casimirs::casimir::{Casimir, ScalarFunction};
 pub use catalogue::parameter::{Parameter, ParameterShape, require_parameters};
 pub use catalogue::system_kind::{KindStart, SystemKind};
 pub use error::FormulaSystemError;
+pub use open_system_error::OpenSystemError;
 pub use open_systems::named_inputs::NamedInputs;
 pub use open_systems::open_names::OpenNames;
 pub use open_systems::open_system::OpenSystem;
-pub use open_systems::open_system_error::OpenSystemError;
 pub use open_systems::open_terms::{Damping, NoiseFields, NoiseTerms, OpenTerms};
 pub use realisations::quadratic_momenta::{QuadraticMomenta, matrices_of_rows};
 pub use realisations::verdict::Verdict;

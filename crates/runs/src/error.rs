@@ -153,12 +153,12 @@ pub enum RunFailure {
         most: u64,
     },
     /// A path of an ensemble failed.
-    #[error("path {path}")]
+    #[error("path {path}: {reason}")]
     Path {
         /// The number of the path, from 0.
         path: u64,
         /// Why it failed.
-        source: Box<RunFailure>,
+        reason: Box<RunFailure>,
     },
     /// The tangent vectors have lost their directions.
     #[error(transparent)]

@@ -148,6 +148,7 @@ fn every_item_named_in_the_notation_and_the_ledger_exists() -> Result<(), Box<dy
         "isospectral",
         "systems",
         "heavytop",
+        "formula-systems",
     ] {
         text.extend(sources(&root.join("crates").join(layer).join("src"))?.into_values());
     }

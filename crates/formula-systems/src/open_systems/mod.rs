@@ -1,10 +1,11 @@
 //! Systems by formula that are driven, damped, noisy or forced.
 
-pub(crate) mod open_system_error;
 pub(crate) mod named_inputs;
 pub(crate) mod open_names;
 pub(crate) mod open_terms;
 pub(crate) mod open_system;
+mod spinors;
 pub(crate) mod open_field;
 pub(crate) mod open_integrator;
+mod open_methods;
 mod open_scales;

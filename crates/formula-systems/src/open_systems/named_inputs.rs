@@ -1,7 +1,7 @@
 //! The names of formulas of open systems, and the inputs among them: [`NamedInputs`].
 
-use super::open_system_error::OpenSystemError;
 use crate::algebras::system_algebra::SystemAlgebra;
+use crate::open_system_error::OpenSystemError;
 use lie_poisson::{InputTable, Real};
 use lie_poisson_formulas::{Parameters, Vocabulary};
 
@@ -30,12 +30,12 @@ impl NamedInputs {
     ) -> Result<Vocabulary, OpenSystemError> {
         let names = self.0.iter().map(|(name, _)| name.as_str());
         let mut coordinates = algebra.coordinates().clone();
-        let wrong = |name: &str, source| OpenSystemError::InputName { name: name.into(), source };
+        let wrong = |name: &str, reason| OpenSystemError::InputName { name: name.into(), reason };
         for name in [TIME].into_iter().chain(names) {
-            coordinates = coordinates.scalar(name).map_err(|source| wrong(name, source))?;
-            Vocabulary::new(&coordinates, parameters).map_err(|source| wrong(name, source))?;
+            coordinates = coordinates.scalar(name).map_err(|reason| wrong(name, reason))?;
+            Vocabulary::new(&coordinates, parameters).map_err(|reason| wrong(name, reason))?;
         }
-        Vocabulary::new(&coordinates, parameters).map_err(|source| wrong(TIME, source))
+        Vocabulary::new(&coordinates, parameters).map_err(|reason| wrong(TIME, reason))
     }
 
     /// Returns the parameters with the time and the inputs as numbers, which are those of the time 0: for the system as it is
@@ -44,12 +44,12 @@ impl NamedInputs {
     /// # Errors
     /// Returns [`OpenSystemError::InputName`] for a name that cannot be one or is there already.
     pub fn frozen(&self, parameters: Parameters) -> Result<Parameters, OpenSystemError> {
-        let wrong = |name: &str, source| OpenSystemError::InputName { name: name.into(), source };
-        let timed = parameters.number(TIME, 0.0).map_err(|source| wrong(TIME, source))?;
+        let wrong = |name: &str, reason| OpenSystemError::InputName { name: name.into(), reason };
+        let timed = parameters.number(TIME, 0.0).map_err(|reason| wrong(TIME, reason))?;
         self.0.iter().try_fold(timed, |all, (name, table)| {
             let first = table.breakpoints().first().copied().unwrap_or(0.0);
             let value = table.at(first.max(0.0));
-            all.number(name, value).map_err(|source| wrong(name, source))
+            all.number(name, value).map_err(|reason| wrong(name, reason))
         })
     }
 
@@ -60,7 +60,7 @@ impl NamedInputs {
     pub fn require_until(&self, end: f64) -> Result<(), OpenSystemError> {
         let (begin, end) = (end.min(0.0), end.max(0.0));
         self.0.iter().try_for_each(|(name, table)| {
-            let refused = |source| OpenSystemError::Input { name: name.clone(), source };
+            let refused = |reason| OpenSystemError::Input { name: name.clone(), reason };
             table.require_until(begin, end).map_err(refused)
         })
     }

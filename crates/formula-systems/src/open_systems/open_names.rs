@@ -1,12 +1,12 @@
 //! The formulas of an open system: [`OpenNames`].
 
 use super::named_inputs::NamedInputs;
-use super::open_system_error::OpenSystemError;
 use crate::algebras::system_algebra::SystemAlgebra;
 use crate::error::FormulaSystemError;
+use crate::open_system_error::OpenSystemError;
 use crate::systems::formula_system::FormulaSystem;
 use lie_poisson::InnerProduct;
-use lie_poisson_formulas::{Formula, FormulaError, Parameters, Vocabulary};
+use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
 
 /// The names that formulas of an open system may use, and the formulas in them.
 ///
@@ -92,7 +92,10 @@ impl OpenNames {
     /// Returns [`OpenSystemError::Formula`], which says what the formula is for.
     pub fn formula(&self, what: &str, text: &str) -> Result<Formula, OpenSystemError> {
         let formula = Formula::new(text, &self.vocabulary);
-        formula.map_err(|source| wrong(what, text, source))
+        formula.map_err(|reason| OpenSystemError::Formula {
+            what: what.into(),
+            reason: Box::new(reason),
+        })
     }
 
     /// Returns the inner product of a matrix on the dual of the algebra, by its rows one after the other. Without one it is the unit
@@ -157,8 +160,4 @@ impl OpenNames {
         }
         Ok(all)
     }
-}
-
-fn wrong(what: &str, text: &str, reason: FormulaError) -> OpenSystemError {
-    OpenSystemError::Formula { what: what.into(), text: text.into(), reason }
 }

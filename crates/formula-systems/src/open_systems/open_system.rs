@@ -1,20 +1,9 @@
 //! A system by formula that is open: [`OpenSystem`].
 
-use super::open_field::{OpenField, Scratch};
-use super::open_integrator::OpenIntegrator;
-use super::open_system_error::OpenSystemError;
 use super::open_terms::OpenTerms;
-use crate::algebras::family::Family;
-use crate::error::FormulaSystemError;
-use crate::realisations::quadratic_momenta::QuadraticMomenta;
+use crate::open_system_error::OpenSystemError;
 use crate::systems::formula_system::FormulaSystem;
-use collective_integrators::{
-    AnyIntegrator, AnyState, AnyTangents, BrownianPaths, NoisePart, VectorField, Window,
-};
-use heavytop::methods::{Formulation, Method, SchemeName};
-use lie_poisson::{Pair, Quaternion, State};
-use nalgebra::Vector2;
-use std::sync::Arc;
+use collective_integrators::BrownianPaths;
 
 /// A Lie–Poisson system that is driven, damped, noisy or forced, as its [`OpenTerms`] say.
 ///
@@ -118,29 +107,6 @@ impl OpenSystem {
         hamiltonian.value_at(&x)
     }
 
-    /// Returns the rate dμ/dt at a time, without the noise; with noise it is the drift in Stratonovich's sense.
-    ///
-    /// # Errors
-    /// Returns [`FormulaSystemError::StateLength`] if the length of the state is not the dimension.
-    pub fn rate(&self, state: &[f64], time: f64) -> Result<Vec<f64>, FormulaSystemError> {
-        self.base.require_length(state)?;
-        let part = NoisePart { drift: 1.0, weights: &[], step: 0.0 };
-        let scratch = Scratch::new(state.len());
-        let window = Window::ALL;
-        let field = OpenField { system: self, momenta: None, part, window, scratch: &scratch };
-        let clock = Vector2::new(0.0, time / self.interval);
-        let at = Pair(AnyState::from_slice(state), Pair(clock, AnyState::from_slice(&[])));
-        Ok(field.at(&at).0.as_slice().to_vec())
-    }
-
-    /// Moves a state of an integrator without attitude so many paths on from the path of the noise.
-    pub fn move_path(&self, state: &mut [f64], on: u64) {
-        let path = self.terms.noise.as_ref().map_or(0, |noise| noise.path);
-        if let Some([number, _]) = state.last_chunk_mut() {
-            *number = path.saturating_add(on) as f64;
-        }
-    }
-
     /// Returns whether h is constant along the motion.
     #[must_use]
     pub const fn keeps_energy(&self) -> bool {
@@ -156,128 +122,5 @@ impl OpenSystem {
     #[must_use]
     pub const fn keeps_casimirs(&self) -> bool {
         self.terms.torque.is_none()
-    }
-
-    /// Returns the formulation that suits the system best: direct with a torque or where steps do not descend to 𝔤∗, and
-    /// otherwise collective.
-    #[must_use]
-    pub fn default_formulation(&self) -> Formulation {
-        match self.terms.torque.is_none() {
-            true => self.base.algebra().default_formulation(),
-            false => Formulation::Direct,
-        }
-    }
-
-    /// Returns the method of a formulation and a scheme.
-    ///
-    /// # Errors
-    /// Returns [`FormulaSystemError::NoMethod`] if the system does not have the formulation with the scheme: only the direct one
-    /// with a torque, and never the reduced one. Those of [`SystemAlgebra::method`](crate::SystemAlgebra::method) otherwise.
-    pub fn method(
-        &self,
-        formulation: Formulation,
-        scheme: SchemeName,
-        tolerance: f64,
-    ) -> Result<Method, FormulaSystemError> {
-        let algebra = self.base.algebra();
-        let refused = |has: &str| FormulaSystemError::NoMethod {
-            algebra: format!("an open system on {}", algebra.name()),
-            formulation,
-            scheme,
-            has: has.into(),
-        };
-        match (formulation, self.terms.torque.is_some()) {
-            (Formulation::Direct, _) | (Formulation::Collective, false) => {
-                algebra.method(formulation, scheme, tolerance)
-            }
-            (_, true) => {
-                Err(refused("with a torque, which takes it off its coadjoint orbit, it has direct"))
-            }
-            _ => Err(refused("it has collective and direct")),
-        }
-    }
-
-    /// Returns the integrator of a method for runs from a state at the time 0. It has tangent maps, of one path if there is noise.
-    ///
-    /// # Errors
-    /// Returns [`FormulaSystemError`] if there is no such method, the state has another dimension, or has no lift.
-    pub fn tangent_integrator(
-        &self,
-        method: &Method,
-        start: &[f64],
-    ) -> Result<AnyIntegrator<dyn AnyTangents>, FormulaSystemError> {
-        Ok(self.integrator(method, start, None)?.erased(start))
-    }
-
-    /// Returns the integrator of a method that carries the attitude of a body along, from an attitude on. Its unit quaternion is in
-    /// the last four coordinates of the states.
-    ///
-    /// # Errors
-    /// As [`tangent_integrator`](Self::tangent_integrator).
-    pub fn integrator_with_attitude(
-        &self,
-        method: &Method,
-        start: &[f64],
-        attitude: Quaternion,
-    ) -> Result<AnyIntegrator, FormulaSystemError> {
-        Ok(self.integrator(method, start, Some(attitude))?.erased(start).without_tangents())
-    }
-
-    /// Returns whether the system is a body with an attitude: whether its algebra is that of rotations or of rigid motions, with the
-    /// minus bracket.
-    #[must_use]
-    pub fn has_attitude(&self) -> bool {
-        let family = self.base.algebra().family;
-        matches!(family, Family::Rotations | Family::Motions) && !self.base.has_plus_bracket()
-    }
-
-    fn integrator(
-        &self,
-        method: &Method,
-        start: &[f64],
-        attitude: Option<Quaternion>,
-    ) -> Result<OpenIntegrator, FormulaSystemError> {
-        self.method(method.formulation(), method.scheme(), method.tolerance())?;
-        self.base.require_length(start)?;
-        let scheme = method.scheme().runge_kutta(method.tolerance())?.ok_or_else(|| {
-            let algebra = self.base.algebra().name().into();
-            let (formulation, scheme) = (method.formulation(), method.scheme());
-            let has = "it has Runge–Kutta methods and compositions of them".into();
-            FormulaSystemError::NoMethod { algebra, formulation, scheme, has }
-        })?;
-        let momenta = match method.formulation() {
-            Formulation::Collective => Some(self.momenta()?),
-            _ => None,
-        };
-        let attitude = attitude.map(|q| core::array::from_fn(|i| q.coordinate(i)));
-        let system = self.clone();
-        OpenIntegrator::new(scheme, system, momenta, attitude).checked(start)
-    }
-
-    /// Returns the momenta along which the collective formulation goes, and whether they are a Poisson map to the plus bracket.
-    fn momenta(&self) -> Result<(Arc<QuadraticMomenta>, bool), FormulaSystemError> {
-        let algebra = self.base.algebra();
-        if let Some((momenta, verdict)) = algebra.realisation() {
-            return Ok((Arc::clone(momenta), verdict.is_plus));
-        }
-        if let Some(momenta) = QuadraticMomenta::of_spinors(algebra) {
-            return Ok((Arc::new(momenta), true));
-        }
-        Ok((Arc::new(QuadraticMomenta::clebsch(algebra.table())?), true))
-    }
-
-    /// Returns whether the steps of a method descend to 𝔤∗.
-    ///
-    /// # Errors
-    /// As [`FormulaSystem::descends`].
-    pub fn descends(&self, method: &Method) -> Result<bool, FormulaSystemError> {
-        let algebra = self.base.algebra();
-        match (method.formulation(), algebra.verdict(), algebra.family) {
-            (Formulation::Collective, Some(verdict), _) => Ok(verdict.descends()),
-            (Formulation::Collective, None, Family::Other) => {
-                QuadraticMomenta::clebsch_descends(algebra.table())
-            }
-            _ => Ok(true),
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! What makes a system an open one: [`OpenTerms`].
 
 use super::named_inputs::NamedInputs;
-use super::open_system_error::OpenSystemError;
+use crate::open_system_error::OpenSystemError;
 use collective_integrators::NoiseRule;
 use lie_poisson::{InnerProduct, IsotropicNoise, NoiseError};
 use lie_poisson_formulas::Formula;

@@ -4,7 +4,6 @@ mod generic_point;
 mod odd_powers;
 mod grading;
 pub(crate) mod quadratic_momenta;
-pub(crate) mod spinors;
 pub(crate) mod verdict;
 pub(crate) mod lift;
 pub(crate) mod collective;

@@ -159,7 +159,7 @@ impl QuadraticMomenta {
     }
 
     /// Creates so many momenta of the entries (a, i, j, value) of symmetric matrices `S_a`.
-    pub(super) fn of_entries(
+    pub(crate) fn of_entries(
         count: usize,
         freedoms: usize,
         mut entries: Vec<(usize, usize, usize, f64)>,

@@ -191,8 +191,8 @@ impl Config {
     #[must_use]
     pub(crate) fn with_integrator(&self) -> Self {
         let mut integrator: IntegratorConfig = self.integrator.or(Integration::default()).into();
-        if self.system.is_some() {
-            // The formulation of a system depends on its algebra.
+        if self.system.is_some() || self.open_table().is_some() {
+            // The formulation of a system depends on its algebra, and that of an open top on its forces.
             integrator.formulation = self.integrator.formulation;
         }
         Self { integrator, ..self.clone() }

@@ -53,7 +53,7 @@ pub(crate) fn inputs(arguments: &[InputArgument]) -> PyResult<NamedInputs> {
     let input = |(name, times, values, between): &InputArgument| {
         let between: Interpolation = between.parse().map_err(refused)?;
         let table = InputTable::new(times.clone(), values.clone(), between);
-        let refused_input = |source| refused(OpenSystemError::Input { name: name.clone(), source });
+        let refused_input = |reason| refused(OpenSystemError::Input { name: name.clone(), reason });
         Ok((name.clone(), table.map_err(refused_input)?))
     };
     Ok(NamedInputs::new(arguments.iter().map(input).collect::<PyResult<_>>()?))

@@ -17,9 +17,10 @@ use collective_integrators::diagnostics::SystemScales;
 use core::sync::atomic::Ordering;
 use heavytop::methods::{Formulation, Method, MethodError};
 use lie_poisson_formula_systems::{
-    FormulaSystem, FormulaSystemError, OpenNames, OpenSystem, OpenTerms, SystemKind, Verdict,
+    FormulaSystem, FormulaSystemError, NamedInputs, OpenNames, OpenSystem, OpenTerms,
+    SystemAlgebra, SystemKind, Verdict,
 };
-use lie_poisson_formulas::{Parameters, Vocabulary};
+use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
 use lie_poisson_runs::Model;
 use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -48,6 +49,37 @@ type Source = (
     Option<OpenArgument>,
 );
 
+/// Returns the system of a formula without Casimirs, and the formula if it depends on the time or on an input. Of a system without
+/// forces there are no inputs.
+fn of_formula(
+    algebra: &SystemAlgebra,
+    hamiltonian: &FormulaSource,
+    given: &Parameters,
+    inputs: Option<&NamedInputs>,
+) -> PyResult<(FormulaSystem, Option<Formula>)> {
+    let names = inputs.map(|inputs| OpenNames::new(algebra.clone(), inputs, given.clone()));
+    let names = names.transpose().map_err(refused)?;
+    let plain = algebra.vocabulary(given).map_err(refused)?;
+    let vocabulary = names.as_ref().map_or(&plain, OpenNames::vocabulary);
+    // A formula that is refused is refused here, with its text.
+    let formula = hamiltonian.formula(vocabulary)?;
+    let traced = match hamiltonian {
+        FormulaSource::Text(text) => Err(text),
+        FormulaSource::Traced(parts) => Ok(expressions(parts, vocabulary.coordinates())?),
+    };
+    let made = |parameters: &Parameters| match &traced {
+        Err(text) => FormulaSystem::new(algebra.clone(), text, parameters),
+        Ok((parts, value)) => {
+            FormulaSystem::of_expressions(algebra.clone(), parts, *value, parameters)
+        }
+    };
+    let system = match &names {
+        None => made(given).map(|system| (system, None)),
+        Some(names) => names.system_by(formula, made),
+    };
+    system.map_err(refused)
+}
+
 #[pymethods]
 impl System {
     /// Creates the system and finds the Casimirs of its algebra.
@@ -63,11 +95,10 @@ impl System {
     ) -> PyResult<Self> {
         let given = parameters(&arguments)?;
         let inputs = inputs(open.as_ref().map_or(&[], |open| &open.0))?;
-        let (mut in_time, mut described) = (None, None);
-        let system = match (&algebra, &hamiltonian) {
+        let (system, in_time) = match (&algebra, &hamiltonian) {
             (AlgebraSource::OfKind((name,)), None) => {
                 let kind = SystemKind::named(name).map_err(refused)?;
-                py.detach(|| kind.system(&given)).map_err(refused)?
+                (py.detach(|| kind.system(&given)).map_err(refused)?, None)
             }
             (_, Some(hamiltonian)) => {
                 let named = algebra.algebra(&given)?;
@@ -75,45 +106,14 @@ impl System {
                     Some(realisation) => realised(named, realisation)?,
                     None => named,
                 };
-                let names = match &open {
-                    None => None,
-                    Some(_) => Some(
-                        OpenNames::new(named.clone(), &inputs, given.clone()).map_err(refused)?,
-                    ),
+                let forces = open.as_ref().map(|_| &inputs);
+                let (system, in_time) = of_formula(&named, hamiltonian, &given, forces)?;
+                let signed = |system: FormulaSystem| match has_plus_bracket {
+                    true => system.with_plus_bracket(),
+                    false => Ok(system),
                 };
-                let plain = named.vocabulary(&given).map_err(refused)?;
-                let vocabulary = names.as_ref().map_or(&plain, OpenNames::vocabulary);
-                // A formula that is refused is refused here, with its text.
-                let formula = hamiltonian.formula(vocabulary)?;
-                let traced = match hamiltonian {
-                    FormulaSource::Text(_) => None,
-                    FormulaSource::Traced(parts) => {
-                        Some(expressions(parts, vocabulary.coordinates())?)
-                    }
-                };
-                let made = |parameters: &Parameters| match (hamiltonian, &traced) {
-                    (FormulaSource::Text(text), _) => {
-                        FormulaSystem::new(named.clone(), text, parameters)
-                    }
-                    (_, Some((parts, value))) => {
-                        FormulaSystem::of_expressions(named.clone(), parts, *value, parameters)
-                    }
-                    (_, None) => FormulaSystem::new(named.clone(), "", parameters),
-                };
-                let system = match &names {
-                    None => made(&given),
-                    Some(names) => names.system_by(formula, made).map(|(system, formula)| {
-                        in_time = formula;
-                        system
-                    }),
-                };
-                described = names;
-                let system = match has_plus_bracket {
-                    true => system.and_then(FormulaSystem::with_plus_bracket),
-                    false => system,
-                };
-                let find = || system.and_then(FormulaSystem::with_found_casimirs);
-                py.detach(find).map_err(refused)?
+                let find = || signed(system).and_then(FormulaSystem::with_found_casimirs);
+                (py.detach(find).map_err(refused)?, in_time)
             }
             _ => return Err(PyValueError::new_err("write a Hamiltonian, or the name of a system")),
         };
@@ -122,9 +122,8 @@ impl System {
         let terms = match &open {
             None => None,
             Some(open) => {
-                let own = || OpenNames::new(system.algebra().clone(), &inputs, given.clone());
-                let described = described.map_or_else(own, Ok).map_err(refused)?;
-                let terms = terms(&described, inputs, in_time, open)?;
+                let own = OpenNames::new(system.algebra().clone(), &inputs, given);
+                let terms = terms(&own.map_err(refused)?, inputs, in_time, open)?;
                 // What does not fit is refused here, whatever the step will be.
                 OpenSystem::new(system.clone(), terms.clone(), 1.0).map_err(refused)?;
                 Some(terms)

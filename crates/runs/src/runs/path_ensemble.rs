@@ -122,7 +122,7 @@ impl PathEnsemble {
             let paths: Vec<_> =
                 (done..next).into_par_iter().map(|path| path_of(run, path)).collect();
             for (path, numbers) in (done..next).zip(paths) {
-                let failed = |source| RunFailure::Path { path, source: Box::new(source) };
+                let failed = |reason| RunFailure::Path { path, reason: Box::new(reason) };
                 let (at, numbers) = numbers.map_err(failed)?;
                 times = at;
                 all.iter_mut().zip(numbers).for_each(|(streamed, x)| streamed.add(x));

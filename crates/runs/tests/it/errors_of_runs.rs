@@ -1,6 +1,6 @@
 //! Every error of a run is what some call returns, and names the values.
 
-use crate::support::{experiment, of_formula, pace};
+use crate::support::{experiment, noisy, of_formula, pace};
 use collective_integrators::{AnyState, Direction};
 use core::ops::ControlFlow;
 use heavytop::methods::{Formulation, MethodError, SchemeName};
@@ -10,8 +10,8 @@ use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use lie_poisson_formulas::{Coordinates, Formula, Parameters, Vocabulary};
 use lie_poisson_runs::contests::{Contest, TimedProblem};
 use lie_poisson_runs::{
-    Arguments, ArrayKind, EventFunctions, Experiment, Model, RunFailure, Saved, Schedule,
-    TangentGrowth, TopInAxes, step_angle,
+    Arguments, ArrayKind, EventFunctions, Experiment, Model, PathEnsemble, RunFailure, Saved,
+    Schedule, TangentGrowth, TopInAxes, step_angle,
 };
 use nalgebra::Vector3;
 use std::collections::BTreeSet;
@@ -62,6 +62,12 @@ fn lost() -> RunFailure {
 }
 
 /// Searches the zeros of a function that has no value later.
+/// Returns why so many paths of a noise, which moves a formula out of its domain, have no statistics.
+fn paths(paths: u64, rows: u64) -> RunFailure {
+    let run = noisy("so(3)", "ln(Pi3 + 0.9)", pace(1.0 / rows as f64, 100.0, 1));
+    PathEnsemble { paths, quantiles: vec![0.5] }.follow(&run, |_| true).unwrap_err()
+}
+
 fn no_event() -> RunFailure {
     let names = Vocabulary::of(&Se3::default(), &Parameters::new()).unwrap();
     let functions = vec![Formula::new("ln(Gamma1*Gamma1 - 0.3)", &names).unwrap()];
@@ -126,6 +132,9 @@ fn every_error_names_what_is_wrong() {
         (followed(&no_value, None), "at t = "),
         (no_event(), "ln(Gamma1*Gamma1 - 0.3) has no value at t = "),
         (lost(), "tangent vector"),
+        (paths(1, 1), "2 paths or more, got 1"),
+        (paths(2, 1_000_000), "2000000 are the most"),
+        (paths(2, 1), "path 0"),
         (early, "more than 10, got 10"),
         (timed(fast), "Gauss-12"),
     ];

@@ -8,6 +8,7 @@ mod contests;
 #[cfg(feature = "contests")]
 mod errors_of_runs;
 mod reports;
+mod statistics_of_paths;
 mod rows_of_runs;
 mod support;
 mod tangents_of_long_steps;

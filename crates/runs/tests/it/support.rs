@@ -1,8 +1,12 @@
 //! Runs that the tests share.
 
+use collective_integrators::NoiseRule;
 use heavytop::HeavyTop;
 use heavytop::methods::Method;
-use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+use lie_poisson::InnerProduct;
+use lie_poisson_formula_systems::{
+    Damping, FormulaSystem, NoiseFields, NoiseTerms, OpenSystem, OpenTerms, SystemAlgebra,
+};
 use lie_poisson_formulas::Parameters;
 use lie_poisson_runs::{Experiment, Pace, Schedule, TopInAxes};
 use nalgebra::Vector3;
@@ -50,4 +54,20 @@ pub fn of_formula(
     let method = algebra.method(formulation, scheme, 0.0).unwrap();
     let model = FormulaSystem::new(algebra, hamiltonian, &Parameters::new()).unwrap();
     Experiment { model, start: start.to_vec(), method, pace, attitude: false }
+}
+
+/// Returns the run of a spin at the temperature 0.5, with friction 1, from (1, 0, 0).
+pub fn noisy(algebra: &str, hamiltonian: &str, pace: Pace) -> Experiment<OpenSystem> {
+    let algebra = SystemAlgebra::named(algebra).unwrap();
+    let base = FormulaSystem::new(algebra, hamiltonian, &Parameters::new()).unwrap();
+    let damping = Some(Damping { friction: 1.0, inner_product: InnerProduct::euclidean() });
+    let fields = NoiseFields::thermal(damping.as_ref(), 0.5).unwrap();
+    let (rule, interval, bound) = (NoiseRule::Together, None, None);
+    let noise = Some(NoiseTerms { fields, seed: 1, path: 0, rule, interval, bound });
+    let terms = OpenTerms { damping, noise, ..OpenTerms::default() };
+    let model =
+        OpenSystem::new(base.with_found_casimirs().unwrap(), terms, pace.schedule.step).unwrap();
+    let scheme = "implicit-midpoint".parse().unwrap();
+    let method = model.method("collective".parse().unwrap(), scheme, 0.0).unwrap();
+    Experiment { model, start: vec![1.0, 0.0, 0.0], method, pace, attitude: false }
 }

@@ -7,6 +7,7 @@ mod errors_of_formula_systems;
 mod errors_of_formulas;
 mod errors_of_integrators;
 mod errors_of_lie_poisson;
+mod errors_of_open_systems;
 mod errors_of_pictures;
 mod errors_of_systems;
 mod errors_of_tops;
@@ -124,6 +125,7 @@ fn every_variant_of_every_error_is_returned() -> Result<(), Box<dyn Error>> {
         errors_of_formulas::problems(),
         errors_of_formula_systems::algebras(),
         errors_of_formula_systems::systems_and_states(),
+        errors_of_open_systems::errors(),
     ] {
         returned.extend(errors);
     }

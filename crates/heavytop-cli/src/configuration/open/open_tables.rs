@@ -47,7 +47,7 @@ impl Config {
     /// If one is no table.
     pub(super) fn named_inputs(&self) -> Result<NamedInputs, Error> {
         let inputs = self.inputs.iter().flatten().map(|(name, input)| {
-            let refused = |source| OpenSystemError::Input { name: name.clone(), source };
+            let refused = |reason| OpenSystemError::Input { name: name.clone(), reason };
             Ok((name.clone(), input.table().map_err(refused)?))
         });
         Ok(NamedInputs::new(inputs.collect::<Result<_, Error>>()?))

@@ -19,7 +19,7 @@ const ASSIGNMENTS: [(&str, &str); 4] = [
 ];
 
 /// Configurations of runs of tops.
-const RUNS: [(&str, &str); 14] = [
+const RUNS: [(&str, &str); 18] = [
     ("Error::Body", "body.mass = -1"),
     ("Error::Vertical", "initial.vertical = [0, 0, 2]"),
     ("Error::Spin", "body = { inertia = [2, 2, 0], center_of_mass = [0, 0, 1] }"),
@@ -37,6 +37,14 @@ const RUNS: [(&str, &str); 14] = [
     ("Error::Run", "integrator = { step = 1e10, end = 1e10 }"),
     ("Error::Run", "integrator.step = 1e-300"),
     ("Error::Run", "integrator.step = 0.03"),
+    ("SystemTableError::OneNoise", "[noise]"),
+    ("SystemTableError::ColumnOfClosed", "output.columns = ['Omega']\n[torque]\nPi = [1, 0, 0]"),
+    (
+        "SystemTableError::OpenRod",
+        "body = { inertia = [2, 2, 0], center_of_mass = [0, 0, 1] }\n\
+         initial.angular_momentum = [1, 0, 0]\n[torque]",
+    ),
+    ("SystemTableError::TorqueOnVertical", "[torque]\nGamma = [1, 0, 0]"),
 ];
 
 /// Configurations of runs of systems, below `[system]`.
@@ -68,7 +76,8 @@ const SYSTEMS: [(&str, &str); 12] = [
 ];
 
 /// Configurations of sections, and below them those of a system.
-const SECTIONS: [(&str, &str); 7] = [
+const SECTIONS: [(&str, &str); 8] = [
+    ("SystemTableError::OpenTable", "[torque]"),
     ("Error::Section", "section.energy = -100"),
     ("Error::TooManyPoints", "section = { starts = 100000, crossings = 100000 }"),
     ("Error::UnknownSurface", "section.surface = 'Pi9'"),

@@ -1,8 +1,8 @@
 //! The momenta of spinors, for rotations and rigid motions.
 
-use super::quadratic_momenta::QuadraticMomenta;
 use crate::algebras::family::Family;
 use crate::algebras::system_algebra::SystemAlgebra;
+use crate::realisations::quadratic_momenta::QuadraticMomenta;
 
 /// An entry (a, i, j, value) of the matrix `S_a`.
 type Entry = (usize, usize, usize, f64);

@@ -10,32 +10,28 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum OpenSystemError {
     /// The name of an input cannot be one, or is that of a coordinate, a parameter, or the time `t`.
-    #[error("the input {name}")]
+    #[error("the input {name}: {reason}")]
     InputName {
         /// The name.
         name: String,
         /// What is wrong with it.
-        #[source]
-        source: NameError,
+        reason: NameError,
     },
     /// The table of an input is no table, or is shorter than a run.
-    #[error("the input {name}")]
+    #[error("the input {name}: {reason}")]
     Input {
         /// The name of the input.
         name: String,
         /// What is wrong with it.
-        #[source]
-        source: InputTableError,
+        reason: InputTableError,
     },
     /// A formula is none.
     #[error("{what}: {reason}")]
     Formula {
         /// What the formula is for.
         what: String,
-        /// The text of the formula; empty if it was built by a program.
-        text: String,
         /// What is wrong with it.
-        reason: FormulaError,
+        reason: Box<FormulaError>,
     },
     /// There are not as many formulas as coordinates.
     #[error("{what} needs {expected} formulas, one for each coordinate, and has {found}")]
@@ -58,8 +54,8 @@ pub enum OpenSystemError {
         names: Vec<String>,
     },
     /// The matrix of an inner product is none, or is not as large as the algebra.
-    #[error("the inner product")]
-    InnerProduct(#[from] InnerProductError),
+    #[error("the inner product: {0}")]
+    InnerProduct(InnerProductError),
     /// The matrix of an inner product is not as large as the algebra.
     #[error("the inner product has {found} rows, and the algebra {expected} dimensions")]
     InnerProductSize {
@@ -99,4 +95,10 @@ pub enum OpenSystemError {
     /// Noise and torque together have no method.
     #[error("a system with noise has no torque: the noise moves it along its coadjoint orbit")]
     NoiseAndTorque,
+}
+
+impl From<InnerProductError> for OpenSystemError {
+    fn from(reason: InnerProductError) -> Self {
+        Self::InnerProduct(reason)
+    }
 }

@@ -1,0 +1,157 @@
+"""Systems that are driven, damped, noisy, or under a torque, and Hamiltonians with time."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+from heavytop import System, lyapunov, solve_many
+
+SPIN = [1.0, 0.0, 0.0]
+
+
+def test_a_function_of_time_is_the_formula():
+    text = System("so(3)", "-2*Pi3 - 0.3*(cos(2*t)*Pi1 - sin(2*t)*Pi2)", bracket="plus")
+    traced = System("so(3)", lambda x, t: -2 * x.Pi3 - 0.3 * (np.cos(2 * t) * x.Pi1 - np.sin(2 * t) * x.Pi2), bracket="plus")
+    for system in (text, traced):
+        run = system.solve([0, 0, 1], step=0.1, end=10)
+        # Rabi's resonance: about the field that turns with the spin.
+        assert abs(run.y[2, -1] - np.cos(3)) < 1e-10
+        assert run.kept == ("c1",) and "changes: h" in repr(run) and "deviations: c1" in repr(run)
+    assert np.array_equal(text.solve([0, 0, 1], step=0.1, end=2).y, traced.solve([0, 0, 1], step=0.1, end=2).y)
+    # Values of h are those of the times.
+    h = text.solve([0, 0, 1], step=0.1, end=10).invariants["h"]
+    run = text.solve([0, 0, 1], np.linspace(0, 10, 101))
+    assert np.allclose(run.invariants["h"], h, atol=1e-14)
+    assert text.invariant_values([1, 0, 0], 0.5)["h"] == pytest.approx(-0.3 * np.cos(1))
+    assert np.allclose(text.rate([0, 0, 1], 0.25), [0.3 * np.sin(0.5), 0.3 * np.cos(0.5), 0], atol=1e-15)
+    # A parameter of this name is a number.
+    assert System("so(3)", "t*Pi3", parameters={"t": 2.0}).kept == ("h", "c1")
+
+
+@pytest.mark.parametrize("friction", [0.5, {"friction": 0.25, "inner_product": 2}, {"friction": 1, "inner_product": [0.5, 0.5, 0.5]}])
+def test_a_damped_spin_has_its_closed_form(friction):
+    run = System("so(3)", "-Pi3", damping=friction).solve(SPIN, step=0.1, end=10)
+    assert abs(run.y[2, -1] - np.tanh(5)) < 1e-12
+    assert (np.diff(run.invariants["h"]) < 0).all() and run.deviation("c1") < 1e-13
+
+
+def test_a_drive_adds_to_the_differential_in_every_form():
+    whole = System("so(3)", "Pi1^2/2 + cos(t)*Pi3")
+    expected = whole.solve([0.6, 0.5, 0.3], step=0.1, end=5).y
+    for drive in (lambda x, t: [0, 0, np.cos(t)], {"Pi": [0, 0, "cos(t)"]}, {"Pi3": "cos(t)"}, ["0", 0.0, "cos(t)"]):
+        run = System("so(3)", "Pi1^2/2", drive=drive).solve([0.6, 0.5, 0.3], step=0.1, end=5)
+        assert np.abs(run.y - expected).max() < 1e-12
+
+
+def test_a_torque_changes_the_casimirs():
+    body = System("so(3)", "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2", torque=lambda x: -0.1 * x.Pi)
+    run = body.solve([1, 2, 3], step=0.1, end=10)
+    assert run.kept == () and body.formulations == ("direct",)
+    assert np.linalg.norm(run.y[:, -1]) / np.linalg.norm(run.y[:, 0]) == pytest.approx(np.exp(-1), rel=1e-12)
+    with pytest.raises(ValueError, match="formulation must be one of direct"):
+        body.solve([1, 2, 3], step=0.1, end=10, formulation="collective")
+
+
+def test_inputs_are_tables_in_formulas_and_functions():
+    inputs = {"u": ([0, 1, 2], [1, 0, 2], "linear")}
+    text = System("so(3)", "u*Pi3", inputs=inputs)
+    traced = System("so(3)", lambda x: x.u * x.Pi3, inputs=inputs)
+    for system in (text, traced):
+        x, y, _ = system.solve(SPIN, step=0.1, end=2).y[:, -1]
+        assert np.arctan2(y, x) == pytest.approx(-1.5, abs=1e-13)
+    with pytest.raises(ValueError, match="from 0 to 2, and the run from 0 to 3"):
+        text.solve(SPIN, step=0.1, end=3)
+    with pytest.raises(ValueError, match="from 0 to 2, and the run from 0 to 3"):
+        solve_many(text, np.tile([[1.0], [0], [0]], 3), step=0.1, end=3)
+
+
+def test_paths_are_functions_of_seed_and_number():
+    warm = System("so(3)", "-Pi3", damping=1, noise={"temperature": 0.5})
+    run = warm.solve(SPIN, step=0.1, end=20, path=3)
+    assert np.array_equal(warm.solve(SPIN, step=0.1, end=20, path=3).y, run.y)
+    assert np.array_equal(pickle.loads(pickle.dumps(warm)).solve(SPIN, step=0.1, end=20, path=3).y, run.y)
+    ends = solve_many(warm, np.tile([[1.0], [0], [0]], 5), step=0.1, end=20)
+    assert np.array_equal(ends.y[:, 3], run.y[:, -1]) and ends.deviation("c1").max() < 1e-13
+    other = System("so(3)", "-Pi3", damping=1, noise={"temperature": 0.5, "path": 3})
+    assert np.array_equal(other.solve(SPIN, step=0.1, end=20).y, run.y)
+    for different in ({"seed": 2}, {"rule": "alternating"}, {"bound": 1}):
+        system = System("so(3)", "-Pi3", damping=1, noise={"temperature": 0.5, **different})
+        assert not np.array_equal(system.solve(SPIN, step=0.1, end=20, path=3).y, run.y)
+    # With intervals of their own, paths are seen by shorter steps, too.
+    fine = System("so(3)", "-Pi3", damping=1, noise={"temperature": 0.5, "interval": 0.1})
+    near, nearer = (fine.solve(SPIN, step=step, end=20, path=3).y[:, -1] for step in (0.0125, 0.00625))
+    assert np.abs(near - nearer).max() < 0.1
+
+
+def test_an_ensemble_has_langevins_mean():
+    warm = System("so(3)", "-Pi3", damping=1, noise={"temperature": 0.5})
+    s3 = solve_many(warm, np.tile([[1.0], [0], [0]], 2000), step=0.1, end=10, scheme="implicit-midpoint").y[2]
+    error = s3.std() / np.sqrt(s3.size)
+    assert abs(s3.mean() - (1 / np.tanh(2) - 1 / 2)) < 4 * error < 0.05
+    # Control: the mean of half the temperature.
+    assert abs(s3.mean() - (1 / np.tanh(4) - 1 / 4)) > 4 * error
+
+
+def test_noise_by_fields_and_by_a_strength():
+    still = System("so(3)", "0*Pi3", noise={"fields": [{"Pi": [0, 0, 0.5]}]})
+    x, y, z = still.solve(SPIN, step=0.1, end=5).y
+    assert np.abs(z).max() < 1e-14 and np.abs(y).max() > 1e-3
+    one = System("so(3)", "0*Pi3", noise={"strength": 0.5})
+    other = System("so(3)", "0*Pi3", noise={"strength": 0.25, "inner_product": 4})
+    assert np.abs(one.solve(SPIN, step=0.1, end=5).y - other.solve(SPIN, step=0.1, end=5).y).max() < 1e-12
+
+
+def test_a_kind_may_have_forces():
+    gyrostat = {"kind": "body-with-rotors", "parameters": {"I": [1, 2, 3], "J": [0.1, 0.2]}}
+    start = {"Pi": [0.3, 1, 0.2], "l": [0.2, 0.1]}
+    slowed = System(**gyrostat, torque={"Pi": ["-0.1*Pi1", "-0.1*Pi2", "-0.1*Pi3"]}).solve(start, step=0.1, end=10)
+    free = System(**gyrostat).solve(start, step=0.1, end=10)
+    assert slowed.invariants["c3"][-1] == pytest.approx(np.exp(-2) * free.invariants["c3"][-1])
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        ({"damping": -1}, "friction must be 0 or a positive number, it is -1"),
+        ({"damping": {"theta": 1}}, "damping has no 'theta'"),
+        ({"damping": {}}, "no friction"),
+        ({"damping": {"friction": 1, "inner_product": [1, 2]}}, "2 rows, and the algebra 3"),
+        ({"noise": {"temperature": 1}}, "a temperature needs a friction"),
+        ({"damping": 1, "noise": {"temperature": -1}}, "it is -1"),
+        ({"noise": {"strength": -1}}, "it is -1"),
+        ({"noise": 3}, "must be a mapping"),
+        ({"noise": {}}, "one of temperature"),
+        ({"noise": {"strength": 1, "temperature": 1}}, "one of temperature"),
+        ({"noise": {"strength": 1, "seed": -1}}, "seed must be a whole number"),
+        ({"noise": {"strength": 1, "rule": "both"}}, "rule must be one of"),
+        ({"noise": {"strength": 1, "bound": 0.5}}, "1 standard deviation or more, it is 0.5"),
+        ({"noise": {"strength": 1, "interval": 0}}, "positive number, it is 0"),
+        ({"noise": {"fields": "Pi1"}}, "must be a list of fields"),
+        ({"torque": lambda x: x.Pi[:2]}, "must return 3 numbers"),
+        ({"torque": "Pi1"}, "must have 3 formulas"),
+        ({"torque": {"P": "1"}}, "no coordinate 'P'"),
+        ({"drive": {"Pi": ["1", "2"]}}, "must have 3 formulas, got 2"),
+        ({"drive": {"Pi": ["1", "2", "Pj"]}}, "there is no `Pj`"),
+        ({"noise": {"strength": 1}, "torque": ["1", "2", "3"]}, "a system with noise has no torque"),
+        ({"inputs": {"u": ([0, 1], [1, 2])}}, r"must be \(times, values, interpolation\)"),
+        ({"inputs": {"u": ([0, 1], [1], "linear")}}, "got 2 times and 1 values"),
+        ({"inputs": {"u": ([0, 0], [1, 2], "linear")}}, "must increase"),
+        ({"inputs": {"Pi1": ([0, 1], [1, 2], "linear")}}, "the input Pi1"),
+    ],
+)
+def test_what_does_not_fit_is_refused(wrong, message):
+    with pytest.raises(ValueError, match=message):
+        System("so(3)", "Pi3", **wrong)
+
+
+def test_what_there_is_not_is_refused_with_a_reason():
+    damped = System("so(3)", "Pi3", damping=1)
+    with pytest.raises(ValueError, match="path is of systems with noise"):
+        damped.solve(SPIN, step=0.1, end=1, path=1)
+    with pytest.raises(ValueError, match="nothing drives, damps"):
+        lyapunov(damped, SPIN, step=0.1, end=1)
+    with pytest.raises(ValueError, match="6 rows"):
+        System("se(3)", "|Pi|^2 + Gamma3", damping=1)
+    with pytest.raises(TypeError):
+        System("so(3)", lambda x, t: "Pi3")
