@@ -9,6 +9,7 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
+from . import _native
 from ._native import IntegrationError
 from .accuracy import warn_of_accuracy
 from .arguments import array, choice, course, real
@@ -187,10 +188,11 @@ class System(SystemDescription):
         if step is None or end is None:
             raise ValueError("write either t, or step and end")
         step, end = course(step, end)
-        run = self._run(y0, step, (formulation, scheme, tolerance), path)
+        native = self._on_path(path)
+        run = self._run(y0, step, (formulation, scheme, tolerance), native)
         watched = self._watched(events)
-        columns = run.native.follow(run.setting, end, whole("every", every, 1), watched)
-        estimate = warn_of_accuracy(run.native, run.setting, run.steps(columns.times), 3)
+        columns = native.follow(run.setting, end, whole("every", every, 1), watched)
+        estimate = warn_of_accuracy(native, run.setting, run.steps(columns.times), 3)
         self._warn_of_end(columns.states, 3)
         symbols = (self.invariants, self.kept)
         return self._solved(solution(columns, symbols, run, estimate, has_events=events is not None))
@@ -208,9 +210,10 @@ class System(SystemDescription):
                 raise ValueError("step is missing: the times t are not equally spaced from 0")
         # Times that are all 0 have no direction, and make no step.
         step, _ = course(step, last or step)
-        run = self._run(y0, step, names, path)
-        states = run.native.states_at(run.setting, times.tolist())
-        estimate = warn_of_accuracy(run.native, run.setting, run.steps(times), 4)
+        native = self._on_path(path)
+        run = self._run(y0, step, names, native)
+        states = native.states_at(run.setting, times.tolist())
+        estimate = warn_of_accuracy(native, run.setting, run.steps(times), 4)
         self._warn_of_end(states, 4)
         try:
             values = self.invariant_values(states.T, times)
@@ -276,9 +279,13 @@ class System(SystemDescription):
     def _solved(self, run: Solution) -> Solution:
         return run
 
-    def _run(self, y0: Optional[State], step: float, method: tuple[Any, Any, Any], path: Optional[int] = None) -> Run:
-        native = self._system if path is None else self._system.on_path(whole("path", path, 0))
-        return Run(native, (self._start(y0).tolist(), step, self._method(*method)), self._names)
+    def _on_path(self, path: Optional[int]) -> _native.System:
+        return self._system if path is None else self._system.on_path(whole("path", path, 0))
+
+    def _run(
+        self, y0: Optional[State], step: float, method: tuple[Any, Any, Any], native: Optional[_native.System] = None
+    ) -> Run:
+        return Run(native or self._system, (self._start(y0).tolist(), step, self._method(*method)), self._names)
 
 
 def is_course(times: Floats) -> bool:

@@ -88,7 +88,7 @@ def trace_element(
     names: Mapping[str, slice],
     parameters: Mapping[str, Any],
     size: int,
-) -> list[list[Part]]:
+) -> list[Union[str, list[Part]]]:
     """Returns the parts of each component of a function with so many, as `trace` does; it is called once."""
     traced = Trace()
     values = function(StateSymbols(traced, names, parameters))
