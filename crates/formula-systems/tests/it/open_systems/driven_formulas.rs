@@ -162,6 +162,23 @@ fn damping_has_its_closed_form_in_all_units() {
     }
 }
 
+/// Times are whole numbers of intervals, to the bit, so that they do not drift and lifts are renewed when they should.
+#[test]
+fn the_clock_counts_whole_intervals() {
+    let noise = Texts { noise: Some(vec![vec!["0.1", "0", "0.2"]]), ..Texts::default() };
+    for (texts, step) in [(Texts::default(), 0.1), (noise, 0.3)] {
+        for scheme in ["implicit-midpoint", "gauss-6", "gauss-8", "gauss-16", "suzuki-4", "rk4"] {
+            let spin = open("so(3)", SHAKEN, &texts, step).unwrap();
+            let start = AnyState::from_slice(&[0.6, -0.5, 1.2]);
+            let method = method(&spin, "collective", scheme);
+            let integrator = spin.tangent_integrator(&method, start.as_slice()).unwrap();
+            let end = integrator.trajectory(&start, step).unwrap().nth(1500).unwrap().unwrap();
+            let clock = end.state.as_slice().last().copied().unwrap();
+            assert_eq!(clock, 1500.0, "{scheme}");
+        }
+    }
+}
+
 #[test]
 fn a_run_that_is_resumed_is_the_same_one() {
     let system =

@@ -6,7 +6,6 @@ use crate::errors::Error;
 use crate::files::{Kind, Output, require_csv};
 use crate::formats::RunTable;
 use crate::formats::run_table::append_row;
-use crate::runs::run_check::accuracy_warning;
 use crate::runs::{Experiment, Schedule};
 use crate::supervision::warnings::warn;
 use crate::supervision::{Progress, Watch};
@@ -81,7 +80,8 @@ pub fn events(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<EventsSu
     drop(progress);
     output.conclude(outcome)?;
     let accuracy = accuracy_to(&run, end, watch)?;
-    accuracy_warning(&accuracy).into_iter().for_each(warn);
+    let warning = run.model.accuracy_warning(&accuracy);
+    warning.map(|text| format!("warning: {text}")).into_iter().for_each(warn);
     let summary = EventsSummary::new(&run, counts, end, out);
     Ok(EventsSummary { error_estimate: accuracy.error, ..summary })
 }
@@ -97,6 +97,9 @@ fn accuracy_to(run: &Experiment, end: f64, watch: &Watch<'_>) -> Result<RunAccur
 
 /// Returns the run of a top, or of a system whose coordinates formulas know.
 fn run(config: &Config) -> Result<Box<Experiment>, Error> {
+    if let Some(open) = config.open_run()? {
+        return Ok(open);
+    }
     Ok(match config.system_experiment()? {
         Some(system) => Box::new(system),
         None => Box::new(config.experiment()?),
@@ -113,7 +116,7 @@ fn functions(config: &Config, settings: &EventsConfig) -> Result<EventFunctions,
         return Err(Error::OutOfRange { name, range, value: 0.0 });
     }
     let names = match config.system()? {
-        Some(table) => table.formula_system()?.algebra().vocabulary(&table.parameters()?)?,
+        Some(table) => config.algebra_of(table)?.vocabulary(&table.parameters()?)?,
         None => Vocabulary::of(&Se3::default(), &Parameters::new())
             .map_err(FormulaSystemError::Parameters)?,
     };

@@ -1,6 +1,6 @@
 //! The runs of open systems and of open tops.
 
-use crate::configuration::{Config, Integration};
+use crate::configuration::{Config, Integration, SystemConfig};
 use crate::errors::{Error, SystemTableError};
 use crate::runs::{Experiment, Pace, Schedule, TopInAxes};
 use heavytop::methods::Method;
@@ -31,6 +31,17 @@ impl Config {
         }
         self.require_output_of_system()?;
         Ok(Some(Box::new(self.open_system()?)))
+    }
+
+    /// Returns the algebra of a system, with or without forces.
+    ///
+    /// # Errors
+    /// If there is no such system.
+    pub(crate) fn algebra_of(&self, system: &SystemConfig) -> Result<SystemAlgebra, Error> {
+        Ok(match self.open_table().is_none() && !system.depends_on_time() {
+            true => system.formula_system()?.algebra().clone(),
+            false => system.open_base(&self.named_inputs()?)?.0.algebra().clone(),
+        })
     }
 
     /// Returns the run of the open system.

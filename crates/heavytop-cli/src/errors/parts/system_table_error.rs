@@ -80,7 +80,8 @@ pub enum SystemTableError {
     },
     /// A command that follows closed systems alone got a table of open ones.
     #[error(
-        "[{table}] is of simulate alone: this command follows systems that nothing drives, damps, shakes or forces"
+        "[{table}] is of simulate, events and ensemble: this command follows systems that nothing drives, damps, shakes or \
+         forces"
     )]
     OpenTable {
         /// The name of the table.
@@ -152,7 +153,9 @@ impl SystemTableError {
             Self::SameColumn { .. } => key("system.coordinates", "choose another name"),
             Self::Parameter { table, name, .. } => vec![(format!("system.{table}.{name}"), "")],
             Self::Formula(error) => keys_of(error),
-            Self::OpenTable { table } => key(table, "remove the table, or use simulate"),
+            Self::OpenTable { table } => {
+                key(table, "remove the table, or use simulate, events or ensemble")
+            }
             Self::OneNoise => key("noise", "write one of them"),
             Self::ColumnOfClosed { .. } => key("output.columns", "leave it out"),
             Self::OpenRod => key("body.inertia", ""),

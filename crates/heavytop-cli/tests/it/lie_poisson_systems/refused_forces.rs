@@ -107,12 +107,12 @@ fn commands_of_closed_systems_say_which_table_they_do_not_take() {
         ["animate", "top.toml", "--out", "a.html"],
         ["section", "spin.toml", "--out", "a"],
         ["sweep", "spin.toml", "--out", "a"],
-        ["events", "spin.toml", "--out", "a.csv"],
     ] {
         let done = folder.heavytop(&arguments);
         let table = if arguments[1] == "top.toml" { "[torque]" } else { "[damping]" };
         assert!(
-            done.code() == 2 && done.stderr().contains(&format!("{table} is of simulate alone")),
+            done.code() == 2
+                && done.stderr().contains(&format!("{table} is of simulate, events and ensemble")),
             "{arguments:?}: {}",
             done.stderr()
         );

@@ -144,3 +144,78 @@ fn noise_has_a_strength_or_fields() {
     assert!((1..4).all(|i| (one[i] - other[i]).abs() < 1e-12), "{one:?} {other:?}");
     assert!((shaken("strength = 0")[1] - 1.0).abs() < 1e-14);
 }
+
+/// Of a damped spin Π₃ = tanh(θBt), so that it is ½ at artanh(½)/θB.
+#[test]
+fn events_are_found_along_motions_with_forces() {
+    let folder = Folder::new();
+    let damped = format!("{SPIN}[damping]\nfriction = 0.1\n[events]\nfunctions = ['Pi3 - 0.5']\n");
+    for configuration in [damped.clone(), damped.replace("-B*Pi3", "-B*Pi3 + 0*t")] {
+        folder.write("a.toml", &configuration);
+        succeeded(&folder.heavytop(&["events", "a.toml", "--out", "e.csv", "--force"]));
+        let (_, rows) = numbers(&folder.read("e.csv"));
+        assert_eq!(rows.len(), 1);
+        assert!((rows[0][1] - 0.5_f64.atanh() / 0.2).abs() < 1e-10, "{rows:?}");
+    }
+}
+
+/// The means are those of the paths, whatever the number of threads, and the first path is that of `simulate`.
+#[test]
+fn an_ensemble_has_means_with_errors_and_quantiles() {
+    let folder = Folder::new();
+    folder.write("a.toml", &format!("{SPIN}[damping]\nfriction = 0.5\n[noise]\ntemperature = 1\n"));
+    let options = ["ensemble", "a.toml", "--set", "integrator.end=4", "--set", "output.every=10"];
+    let on = |threads: &str, out: &str| {
+        let arguments =
+            [&options[..], &["--paths", "60", "--quantiles", "0.5", "--out", out]].concat();
+        succeeded(&folder.heavytop_on(threads, &arguments))
+    };
+    let told = on("1", "one.csv");
+    on("3", "three.csv");
+    assert_eq!(folder.read("one.csv"), folder.read("three.csv"));
+    assert!(
+        told.contains("paths 0 to 59 of seed 1") && told.contains("Pi3 ") && told.contains(" ± "),
+        "{told}"
+    );
+    let (header, rows) = numbers(&folder.read("one.csv"));
+    assert_eq!(header[..6].join(","), "paths,t,Pi1_mean,Pi1_error,Pi1_deviation,Pi1_q0.5");
+    assert_eq!((rows.len(), rows[4][0], rows[4][1]), (5, 60.0, 4.0));
+    let mut sum = 0.0;
+    for path in 0..60 {
+        let set = format!("noise.path={path}");
+        let alone = [
+            "simulate",
+            "a.toml",
+            "--set",
+            "integrator.end=4",
+            "--set",
+            &set,
+            "--out",
+            "p.csv",
+            "--force",
+        ];
+        succeeded(&folder.heavytop(&alone));
+        let (_, rows) = numbers(&folder.read("p.csv"));
+        sum += rows[rows.len() - 1][3];
+    }
+    let place = header.iter().position(|name| name == "Pi3_mean").unwrap();
+    assert!((rows[4][place] - sum / 60.0).abs() < 1e-13);
+    // Refusals name the bound, and leave nothing.
+    for (more, part) in [
+        (["--paths", "1"], "2 paths or more, got 1"),
+        (["--quantiles", "1.5"], "between 0 and 1, got 1.5"),
+        (["--set", "output.attitude=true"], "no attitude"),
+    ] {
+        let arguments = [&options[..], &more, &["--out", "no.csv"]].concat();
+        let done = folder.heavytop(&arguments);
+        assert!(done.code() == 2 && done.stderr().contains(part), "{}", done.stderr());
+    }
+    folder.write("b.toml", SPIN);
+    let done = folder.heavytop(&["ensemble", "b.toml", "--out", "no.csv"]);
+    assert!(
+        done.code() == 2 && done.stderr().contains("a motion without noise has one path"),
+        "{}",
+        done.stderr()
+    );
+    assert!(!folder.path("no.csv").exists() && !folder.path("no.csv.partial").exists());
+}
