@@ -40,7 +40,7 @@ where
     let first = values(start);
     let field = Autonomous(Automatic(Generic(algebra.clone())));
     let inner_product = InnerProduct::euclidean();
-    let field = DoubleBracket { space, field, friction: 0.1, inner_product };
+    let field = DoubleBracket::new(space, field, 0.1, inner_product).unwrap();
     let noise = isotropic(0.3);
     let paths = BrownianPaths::new(4, 0.05).unwrap();
     let noisy = Noisy::new(RungeKutta::implicit_midpoint(), map, field, noise, paths);
