@@ -1,5 +1,6 @@
 //! Motions that are driven, damped, noisy or forced, with the time as a coordinate of the state.
 
+mod normal_quantile;
 mod philox;
 mod smooth_pieces;
 pub(crate) mod brownian_paths;

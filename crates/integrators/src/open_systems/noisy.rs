@@ -124,7 +124,7 @@ impl<S, M, X, N> Noisy<S, M, X, N> {
     }
 
     /// Makes the parts of a step.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn parts<T: Real>(
         &self,
         Pair(path, clock): &PathAndTime<T>,
@@ -143,11 +143,17 @@ impl<S, M, X, N> Noisy<S, M, X, N> {
             clock.x * interval,
             step,
             |time, forward| field.next_break(time, forward),
+            #[cfg_attr(optimised, inline(always))]
             |window, elapsed, step| {
                 let [from, to] = [elapsed, elapsed + step].map(|time| time / interval);
                 let mut increments: SmallVec<[T; MOST_FIELDS]> = smallvec![T::zero(); count];
                 write_increments(&self.paths, (path.x, clock.x), (from, to), &mut increments);
-                self.rule.parts(&increments, step, |noise| part(window, noise))
+                self.rule.parts(
+                    &increments,
+                    step,
+                    #[cfg_attr(optimised, inline(always))]
+                    |noise| part(window, noise),
+                )
             },
         )
     }
@@ -245,17 +251,28 @@ where
     ) -> Result<Step<Self::State>, StepError> {
         let (map, field, noise) = (self.map(), &self.collective.system().hamiltonian, &self.noise);
         let interval = self.paths.interval();
-        Step::of_copy(state, |point| {
-            self.parts::<T>(&state.1, step, |window, part| {
-                // The noise before says nothing about that of this part.
-                self.collective.forget_stages_of::<T>(workspace);
-                let generator = NoisyGenerator { map, field, noise, part, window, interval };
-                let made =
-                    self.collective.step_of::<T, _>(&generator, point, part.step, workspace)?;
-                *point = made.point;
-                Ok(made.iterations)
-            })
-        })
+        Step::of_copy(
+            state,
+            #[cfg_attr(optimised, inline(always))]
+            |point| {
+                self.parts::<T>(
+                    &state.1,
+                    step,
+                    #[cfg_attr(optimised, inline(always))]
+                    |window, part| {
+                        // The noise before says nothing about that of this part.
+                        self.collective.forget_stages_of::<T>(workspace);
+                        let (collective, step) = (&self.collective, part.step);
+                        let generator =
+                            NoisyGenerator { map, field, noise, part, window, interval };
+                        let made =
+                            collective.step_of::<T, _>(&generator, point, step, workspace)?;
+                        *point = made.point;
+                        Ok(made.iterations)
+                    },
+                )
+            },
+        )
     }
 
     #[cfg_attr(optimised, inline(always))]

@@ -4,7 +4,7 @@ use crate::brackets::poisson::PoissonSpace;
 use crate::dissipation::dissipation_error::{DissipationError, require_friction};
 use crate::orbits::inner_product::InnerProduct;
 use crate::orbits::orbit_field::OrbitField;
-use generic_scalars::{Differential, Point, Real, map_coordinates};
+use generic_scalars::{Differential, Point, Real, Vector};
 
 /// The field of a double bracket,
 ///
@@ -76,11 +76,13 @@ where
     X: OrbitField<P, T>,
     T: Real,
 {
+    #[cfg_attr(optimised, inline(always))]
     fn element(&self, mu: &Point<P, T>, time: T) -> Differential<P, T> {
         let xi = self.field.element(mu, time);
         let rate = self.space.hamiltonian_vector::<T>(mu, &xi);
         let sharp = self.inner_product.sharp::<P, T>(&rate);
-        xi + map_coordinates(&sharp, |x| x * self.friction)
+        let friction = T::from_f64(self.friction);
+        xi + sharp.scaled(friction)
     }
 
     fn next_break(&self, time: f64, forward: bool) -> Option<f64> {

@@ -3,7 +3,7 @@
 use crate::brackets::poisson::PoissonSpace;
 use crate::dissipation::dissipation_error::{DissipationError, require_friction};
 use crate::orbits::inner_product::InnerProduct;
-use generic_scalars::{Differential, Point, Real, Vector, map_coordinates};
+use generic_scalars::{Differential, Point, Real, Vector};
 
 /// Fields σ_k: 𝔤∗ × R → 𝔤 that are driven by independent Brownian motions `W_k`, in Stratonovich's sense:
 ///
@@ -92,9 +92,8 @@ impl<P: PoissonSpace, T: Real> Noise<P, T> for IsotropicNoise {
         Point::<P, T>::DIM
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn element(&self, _: &Point<P, T>, _: T, weights: &[T]) -> Differential<P, T> {
-        let element = self.inner_product.orthonormal::<P, T>(weights);
-        map_coordinates(&element, |x| x * self.strength)
+        self.inner_product.orthonormal::<P, T>(weights).scaled(T::from_f64(self.strength))
     }
 }

@@ -94,13 +94,23 @@ impl InnerProduct {
     }
 
     /// Returns α♯. It is NaN if the matrix has not as many rows as the space has coordinates.
+    #[cfg_attr(optimised, inline(always))]
     #[must_use]
     pub fn sharp<P: VectorSpace, T: Real>(&self, alpha: &Point<P, T>) -> Differential<P, T> {
         let size = Point::<P, T>::DIM;
         if self.rows.is_empty() {
-            return map_coordinates(alpha, |x| x);
+            return map_coordinates(
+                alpha,
+                #[cfg_attr(optimised, inline(always))]
+                |x| x,
+            );
         }
-        product::<P, T>(&self.rows, size, |j| alpha.coordinate(j))
+        product::<P, T>(
+            &self.rows,
+            size,
+            #[cfg_attr(optimised, inline(always))]
+            |j| alpha.coordinate(j),
+        )
     }
 
     /// Returns Σ_k w_k e_k for elements e_k of 𝔤 that are orthonormal in the inner product on 𝔤, so that Σ_k e_k ⟨α, e_k⟩ = α♯.
@@ -116,19 +126,29 @@ impl InnerProduct {
     /// assert_eq!(sum, 2.0); // the entry (1, 2) of the matrix
     /// # Ok::<(), lie_poisson::InnerProductError>(())
     /// ```
+    #[cfg_attr(optimised, inline(always))]
     #[must_use]
     pub fn orthonormal<P: VectorSpace, T: Real>(&self, weights: &[T]) -> Differential<P, T> {
-        let weight = |k: usize| weights.get(k).copied().unwrap_or_else(T::zero);
+        let zero = T::zero();
+        let mut element: Differential<P, T> = Vector::zero();
+        element.set_coordinates(
+            #[cfg_attr(optimised, inline(always))]
+            |k| weights.get(k).copied().unwrap_or(zero),
+        );
         if self.rows.is_empty() {
-            let mut element: Differential<P, T> = Vector::zero();
-            element.set_coordinates(weight);
             return element;
         }
-        product::<P, T>(&self.root, Point::<P, T>::DIM, weight)
+        product::<P, T>(
+            &self.root,
+            Point::<P, T>::DIM,
+            #[cfg_attr(optimised, inline(always))]
+            |k| element.coordinate(k),
+        )
     }
 }
 
 /// Returns the product of a square matrix with a vector; NaN if it has another size.
+#[cfg_attr(optimised, inline(always))]
 fn product<P: VectorSpace, T: Real>(
     rows: &[f64],
     size: usize,
@@ -136,13 +156,22 @@ fn product<P: VectorSpace, T: Real>(
 ) -> Differential<P, T> {
     let mut product: Differential<P, T> = Vector::zero();
     if rows.len() != size * size {
-        product.set_coordinates(|_| T::from_f64(f64::NAN));
+        product.set_coordinates(
+            #[cfg_attr(optimised, inline(always))]
+            |_| T::from_f64(f64::NAN),
+        );
         return product;
     }
-    product.set_coordinates(|i| {
-        let row = rows.iter().skip(i * size).take(size);
-        row.enumerate().fold(T::zero(), |sum, (j, entry)| sum + vector(j) * *entry)
-    });
+    product.set_coordinates(
+        #[cfg_attr(optimised, inline(always))]
+        |i| {
+            let mut sum = T::zero();
+            for (j, entry) in rows.iter().skip(i * size).take(size).enumerate() {
+                sum += vector(j) * *entry;
+            }
+            sum
+        },
+    );
     product
 }
 
