@@ -35,6 +35,14 @@ pub type PathAndTime<T> = Pair<Vector1<T>, Vector1<T>>;
 /// their results do not depend on threads, lanes or interruptions. The intervals of the paths are usually the steps of the
 /// run; another step sees the same paths.
 ///
+/// # Which step
+/// The noise of a step h turns the state by about σ√h radians in each of its d directions. The stages are solved as long as
+/// the turns of all directions together are below about three radians, so that the probability that a step fails is that of a
+/// χ² number of d degrees above (3.3/(σ√h))². A heavy top at a temperature (d = 6) made 10⁹ steps with σ√h = ⅓ without a
+/// failure, and one step in two millions failed with σ√h = 0.53. Steps with σ√h ≤ ⅓, in which the motion itself turns by half a
+/// radian at most, never fail in practice; means have errors of a few per cent there, which are proportional to h. Cutting
+/// the increments below 3 standard deviations does not make longer steps safe: many directions add up.
+///
 /// Sources: Milstein, Repin & Tretyakov, SIAM J. Numer. Anal. 40 (2002); Luesink, Ephrati, Cifani & Geurts, *Casimir preserving
 /// stochastic Lie–Poisson integrators*, Adv. Contin. Discrete Models (2024).
 ///

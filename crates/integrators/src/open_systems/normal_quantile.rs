@@ -1,4 +1,5 @@
 //! Normal numbers from uniform ones, by the inverse of the normal distribution function.
+#![allow(clippy::excessive_precision)] // The digits are those of the source.
 
 /// Returns the number x below which a standard normal number lies with the probability (n + ½)/2⁵², for the upper 52 of 64
 /// bits n. So uniform bits give normal numbers, none of which is larger than 8.3. It increases with the bits, and the

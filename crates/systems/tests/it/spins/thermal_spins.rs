@@ -183,7 +183,7 @@ fn spins_of_two_lengths_have_the_magnetisation_of_langevin() {
     let count = 600;
     let lattice = HeisenbergLattice::new([count, 1, 1]).unwrap();
     let lattice = lattice.with_field(Vector3::z()).unwrap();
-    let length = |site: usize| if site % 2 == 0 { 0.6 } else { 2.5 };
+    let length = |site: usize| if site.is_multiple_of(2) { 0.6 } else { 2.5 };
     for damping in [SpinDamping::LandauLifshitz(0.7), SpinDamping::Gilbert(0.5)] {
         let paths = BrownianPaths::new(1, STEP).unwrap();
         let langevin = LangevinSpins::new(&lattice, damping, 1.0, paths).unwrap();
