@@ -72,8 +72,8 @@ const STEP: f64 = 0.05;
 
 type State = Pair<Spins, PathAndTime<f64>>;
 
-fn noise() -> BrownianPaths {
-    BrownianPaths::new(3, STEP).unwrap()
+fn noise(step: f64) -> BrownianPaths {
+    BrownianPaths::new(3, step).unwrap()
 }
 
 /// Returns the mean energy per bond of spins that begin aligned, over the last five sixths of paths, and its standard error
@@ -107,29 +107,35 @@ fn mean_energy<F: FnMut(&mut State)>(
 }
 
 /// Makes steps of the midpoint rule at kT, with the friction θ = 1.
-fn by_midpoint(lattice: &HeisenbergLattice, temperature: f64) -> impl FnMut(&mut State) {
+fn by_midpoint(
+    lattice: &HeisenbergLattice,
+    (temperature, step): (f64, f64),
+) -> impl FnMut(&mut State) {
     let damping = SpinDamping::LandauLifshitz(1.0);
-    let langevin = LangevinSpins::new(lattice.clone(), damping, temperature, noise()).unwrap();
+    let langevin = LangevinSpins::new(lattice.clone(), damping, temperature, noise(step)).unwrap();
     let mut workspace = langevin.workspace();
     move |state| {
-        langevin.step_in_place(state, STEP, &mut workspace).unwrap();
+        langevin.step_in_place(state, step, &mut workspace).unwrap();
     }
 }
 
 /// Makes explicit steps of Itô's equation by Euler and Maruyama, scaled back to the spheres.
-fn by_euler(lattice: &HeisenbergLattice, temperature: f64) -> impl FnMut(&mut State) {
+fn by_euler(
+    lattice: &HeisenbergLattice,
+    (temperature, step): (f64, f64),
+) -> impl FnMut(&mut State) {
     let (mut dh, mut increments) = (lattice.state(|_| Vector3::zeros()).0, Vec::new());
     move |state| {
         let Pair(spins, Pair(path, clock)) = state;
         increments.resize(3 * spins.0.len(), 0.0);
-        noise().write_increments(path.x as u64, clock.x, clock.x + 1.0, &mut increments);
+        noise(step).write_increments(path.x as u64, clock.x, clock.x + 1.0, &mut increments);
         lattice.differential_into(spins, &mut dh);
         for ((s, dh), noise) in spins.0.iter_mut().zip(dh.iter()).zip(increments.chunks(3)) {
             let (length, field) = (s.norm(), -dh);
             // Itô's drift of σ s × ∘dW is −σ² s, with σ² = 2kT.
             let drift = s.cross(&field) - s.cross(&s.cross(&field)) - *s * (2.0 * temperature);
             let noise = Vector3::from_column_slice(noise) * (2.0 * temperature).sqrt();
-            *s += drift * STEP + s.cross(&noise);
+            *s += drift * step + s.cross(&noise);
             if length > 0.0 {
                 *s *= length / s.norm();
             }
@@ -139,36 +145,44 @@ fn by_euler(lattice: &HeisenbergLattice, temperature: f64) -> impl FnMut(&mut St
 }
 
 /// Compares the energies of an open chain and of a ring with the exact ones; those of Euler's step are others.
-fn chains_and_rings(couplings: &[f64], sites: usize, sample: (u64, u64)) {
-    for (k, open) in couplings.iter().flat_map(|&k| [(k, true), (k, false)]) {
+fn chains_and_rings(couplings: &[(f64, f64)], sites: usize, sample: (u64, u64)) {
+    let mut wrong = Vec::new();
+    for (&(k, step), open) in couplings.iter().flat_map(|k| [(k, true), (k, false)]) {
         let (bonds, exact) = match open {
             true => (sites - 1, energy_of_chain(k)),
             false => (sites, energy_of_ring(k, sites as i32)),
         };
         let chain = aligned(sites, open);
-        let (mean, error) = mean_energy(&chain, bonds, sample, || by_midpoint(&chain.0, k.recip()));
-        let euler = mean_energy(&chain, bonds, sample, || by_euler(&chain.0, k.recip()));
+        let (mean, error) =
+            mean_energy(&chain, bonds, sample, || by_midpoint(&chain.0, (k.recip(), step)));
+        let euler = mean_energy(&chain, bonds, sample, || by_euler(&chain.0, (k.recip(), step)));
+        let is_right = (mean - exact).abs() < 4.0 * error;
+        if !is_right || (euler.0 - exact).abs() < 4.0 * euler.1 {
+            wrong.push((k, open, (mean, error), exact, euler));
+        }
         println!("K = {k}, open: {open}: {mean} ± {error}, exact {exact}, Euler {euler:?}");
-        assert!((mean - exact).abs() < 4.0 * error, "K = {k}: {mean} ± {error}, exact {exact}");
-        assert!((euler.0 - exact).abs() > 4.0 * euler.1, "K = {k}: {euler:?}, exact {exact}");
     }
+    assert!(wrong.is_empty(), "{wrong:?}");
 }
 
 #[test]
 fn chains_and_rings_have_the_energy_of_the_transfer_operator() {
-    chains_and_rings(&[1.0, 4.0], 64, (8, 500));
+    chains_and_rings(&[(1.0, 0.05), (4.0, 0.05)], 64, (8, 500));
 }
 
 #[test]
 #[ignore = "takes a minute"]
 fn longer_paths_have_the_energy_of_the_transfer_operator() {
-    chains_and_rings(&[0.5, 1.0, 2.0, 4.0], 64, (16, 6000));
+    // The errors of the midpoint rule, which are proportional to the step, are below three standard errors here, and
+    // those of Euler's are above eight.
+    let couplings = [(0.5, 0.02), (1.0, 0.02), (2.0, 0.05), (4.0, 0.05)];
+    chains_and_rings(&couplings, 64, (16, 2000));
 }
 
 #[test]
 fn a_ring_of_four_has_its_own_energy() {
     let four = aligned(4, false);
-    let mean = mean_energy(&four, 4, (16, 3000), || by_midpoint(&four.0, 0.5));
+    let mean = mean_energy(&four, 4, (16, 3000), || by_midpoint(&four.0, (0.5, STEP)));
     let (ring, chain) = (energy_of_ring(2.0, 4), energy_of_chain(2.0));
     assert!(
         (mean.0 - ring).abs() < 4.0 * mean.1 && (mean.0 - chain).abs() > 4.0 * mean.1,
