@@ -23,8 +23,8 @@ use nalgebra::{Vector1, Vector3};
 /// rotation of each spin by the angle 2 arctan(h|ω|/2) or less, whatever ω is, so that every length |s_i| stays constant to
 /// round-off, and a spin of length 0 stays where it is: it is a site without a spin. Sweeps alternate between the fields at
 /// the midpoints and the midpoints of these rotations, which are known in closed form. So they converge for steps that are
-/// short for h and the friction, however strong the noise is. The strong order is ½ and the weak order 1: on chains
-/// the energies of bonds are too low by up to 0.03 J for each radian² of 2bkTh, the noise of a step.
+/// short for h and the friction, however strong the noise is. The strong order is ½ and the weak order 1
+/// (the energy of a bond of a chain at kT = 2J is too low by 0.0055 J with 2bkTh = 0.2).
 ///
 /// A momentum is (s, (number of the path, time)), as that of [`Noisy`](collective_integrators::Noisy): the number and the
 /// time determine the noise. After the first step nothing is allocated. The bracket is the plus bracket, as that of
