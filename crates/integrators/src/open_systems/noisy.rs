@@ -37,11 +37,11 @@ pub type PathAndTime<T> = Pair<Vector1<T>, Vector1<T>>;
 ///
 /// # Which step
 /// The noise of a step h turns the state by about σ√h radians in each of its d directions. The stages are solved as long as
-/// the turns of all directions together are below about three radians, so that the probability that a step fails is that of a
-/// χ² number of d degrees above (3.3/(σ√h))². A heavy top at a temperature (d = 6) made 10⁹ steps with σ√h = ⅓ without a
-/// failure, and one step in two millions failed with σ√h = 0.53. Steps with σ√h ≤ ⅓, in which the motion itself turns by half a
-/// radian at most, never fail in practice; means have errors of a few per cent there, which are proportional to h. Cutting
-/// the increments below 3 standard deviations does not make longer steps safe: many directions add up.
+/// the turns of all directions together are below about three radians: a step fails with the probability that a χ² number
+/// of d degrees is above (3.3/(σ√h))². For a heavy top at a temperature (d = 6) this is once in two million steps for
+/// σ√h = 0.53, which is what was found, and once in 10¹⁸ for σ√h = ⅓. So take σ√h ≤ ⅓, and steps in which the motion itself
+/// turns by half a radian at most. Means have errors of a few per cent there, which are proportional to h. To cut the
+/// increments at two or three standard deviations does not make longer steps safe, since many directions add up.
 ///
 /// Sources: Milstein, Repin & Tretyakov, SIAM J. Numer. Anal. 40 (2002); Luesink, Ephrati, Cifani & Geurts, *Casimir preserving
 /// stochastic Lie–Poisson integrators*, Adv. Contin. Discrete Models (2024).
