@@ -1,7 +1,7 @@
 //! The errors of open systems: [`OpenSystemError`].
 
 use collective_integrators::BrownianError;
-use lie_poisson::{InnerProductError, InputTableError, NoiseError};
+use lie_poisson::{InnerProductError, InputTableError, DissipationError};
 use lie_poisson_formulas::{FormulaError, NameError};
 use thiserror::Error;
 
@@ -77,7 +77,7 @@ pub enum OpenSystemError {
     },
     /// A friction or a temperature is negative or no number.
     #[error(transparent)]
-    Noise(#[from] NoiseError),
+    Dissipation(#[from] DissipationError),
     /// The step or the bound of the noise is no positive number.
     #[error(transparent)]
     Brownian(#[from] BrownianError),

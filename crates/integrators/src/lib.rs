@@ -152,11 +152,11 @@ pub use integrators::trajectories::integrator::{Integrator, SampleOf, Trajectory
 pub use integrators::trajectories::sample::Sample;
 pub use integrators::trajectories::start::Start;
 pub use observed::Observed;
-pub use open_systems::brownian_paths::{BrownianError, BrownianPaths};
 pub use open_systems::driven::Driven;
 pub use open_systems::driven_field::DrivenField;
 pub use open_systems::noise_rule::{NoisePart, NoiseRule};
 pub use open_systems::noisy::{Noisy, PathAndTime};
+pub use open_systems::paths::brownian_paths::{BrownianError, BrownianPaths};
 pub use open_systems::smooth_pieces::Window;
 pub use open_systems::step_parts::StepParts;
 pub use open_systems::torqued::{TorqueFlow, Torqued};

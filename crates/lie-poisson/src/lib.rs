@@ -91,6 +91,7 @@ mod representations;
 mod cayley;
 mod brackets;
 mod orbits;
+mod dissipation;
 
 #[cfg(feature = "laws")]
 pub mod laws;
@@ -140,13 +141,15 @@ pub use brackets::hamiltonian::{
 pub use brackets::poisson::{LiePoisson, PoissonSpace, Sign};
 pub use brackets::product_space::{PowerSpace, ProductSpace, from_parts, parts};
 pub use brackets::sites_hamiltonian::SitesHamiltonian;
+pub use dissipation::dissipation_error::DissipationError;
+pub use dissipation::double_bracket::DoubleBracket;
+pub use dissipation::gilbert_damping::{GilbertDamping, GilbertDampingError, SpaceOfSpins};
+pub use dissipation::noise::{IsotropicNoise, Noise};
+pub use orbits::breakpoints::{BreakpointError, WithBreakpoints};
 pub use orbits::control::{Controlled, Inputs, InputsError};
-pub use orbits::double_bracket::DoubleBracket;
-pub use orbits::gilbert_damping::{GilbertDamping, GilbertDampingError, SpaceOfSpins};
 pub use orbits::inner_product::{InnerProduct, InnerProductError};
 pub use orbits::input_table::{InputTable, InputTableError};
 pub use orbits::interpolation::{Interpolation, UnknownInterpolation};
-pub use orbits::noise::{IsotropicNoise, Noise, NoiseError};
 pub use orbits::orbit_field::{Autonomous, OrbitField, TimeDependent};
 pub use orbits::time_axis::{InTime, TimeAxis};
 

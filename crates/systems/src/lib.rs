@@ -40,6 +40,7 @@
 //! | classical spins in a row, on (so(3)∗)ᴺ | [`HeisenbergChain`] |
 //! | classical spins on a lattice of any size, in one to three dimensions | [`HeisenbergLattice`] |
 //! | the same lattice advanced on SIMD lanes and all threads | [`LatticeMidpoint`] |
+//! | spins in any number at a temperature, on rings, chains and lattices | [`LangevinSpins`], [`SpinDamping`] |
 //! | spins on atoms in motion, on (so(3)∗)ᴺ × T∗Rᴺ | [`SpinLattice`], wrapped in [`Automatic`](lie_poisson::Automatic) |
 //! | an elliptical vortex in a strain, on so(2, 1)∗ | [`KidaVortex`], [`So21`] |
 //! | a heavy top on a movable base, on (se(3) ⋉ R³)∗ | [`MovableBaseTop`], [`MovableBaseAlgebra`] |
@@ -97,6 +98,7 @@ mod body_in_fluid;
 mod vortices;
 mod spin_chain;
 mod spin_lattice;
+mod spins_at_temperature;
 mod kida_vortex;
 mod movable_base;
 #[cfg(feature = "isospectral")]
@@ -125,6 +127,8 @@ pub use spin_chain::heisenberg_chain::HeisenbergChain;
 pub use spin_lattice::heisenberg_lattice::HeisenbergLattice;
 pub use spin_lattice::lattice_midpoint::{LatticeMidpoint, LatticeWorkspace};
 pub use spin_lattice::vibrating_lattice::{SpinLattice, SpinLatticeSpace};
+pub use spins_at_temperature::langevin_spins::{LangevinSpins, LangevinWorkspace};
+pub use spins_at_temperature::site_rotation::SpinDamping;
 pub use vortices::many_vortices::ManyVortices;
 pub use vortices::point_vortices::PointVortices;
 

@@ -3,7 +3,7 @@
 use super::named_inputs::NamedInputs;
 use crate::open_system_error::OpenSystemError;
 use collective_integrators::NoiseRule;
-use lie_poisson::{InnerProduct, IsotropicNoise, NoiseError};
+use lie_poisson::{InnerProduct, IsotropicNoise, DissipationError};
 use lie_poisson_formulas::Formula;
 
 /// What drives, damps, shakes or forces a system, all of it optional:
@@ -105,7 +105,7 @@ impl OpenTerms {
         if let Some(Damping { friction, .. }) = self.damping
             && !(friction >= 0.0 && friction.is_finite())
         {
-            return Err(NoiseError::Friction { friction }.into());
+            return Err(DissipationError::Friction { friction }.into());
         }
         if let Some(NoiseTerms { fields: NoiseFields::Isotropic(noise), .. }) = &self.noise
             && !(noise.strength >= 0.0 && noise.strength.is_finite())

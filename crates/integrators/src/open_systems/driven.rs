@@ -65,8 +65,9 @@ type MapInTime<M> = ProductMap<M, Identity<TimeAxis>>;
 /// # use momentum_map::HOPF;
 /// # let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.y);
 /// let (space, inner_product) = (LiePoisson::minus(So3), InnerProduct::euclidean());
-/// let damped = DoubleBracket { space, field: Autonomous(h), friction: 0.1, inner_product };
+/// let damped = DoubleBracket::new(space, Autonomous(h), 0.1, inner_product)?;
 /// let integrator = Collective::new(RungeKutta::implicit_midpoint(), HOPF, damped); // no Hamiltonian
+/// # Ok::<(), lie_poisson::DissipationError>(())
 /// ```
 /// ```
 /// use collective_integrators::{Driven, RungeKutta};
@@ -74,8 +75,9 @@ type MapInTime<M> = ProductMap<M, Identity<TimeAxis>>;
 /// # use momentum_map::HOPF;
 /// # let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.y);
 /// let (space, inner_product) = (LiePoisson::minus(So3), InnerProduct::euclidean());
-/// let damped = DoubleBracket { space, field: Autonomous(h), friction: 0.1, inner_product };
+/// let damped = DoubleBracket::new(space, Autonomous(h), 0.1, inner_product)?;
 /// let integrator = Driven::new(RungeKutta::implicit_midpoint(), HOPF, damped);
+/// # Ok::<(), lie_poisson::DissipationError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Driven<S, M, X> {

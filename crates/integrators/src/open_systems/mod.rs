@@ -1,9 +1,8 @@
 //! Motions that are driven, damped, noisy or forced, with the time as a coordinate of the state.
 
-mod philox;
 pub(crate) mod smooth_pieces;
 pub(crate) mod step_parts;
-pub(crate) mod brownian_paths;
+pub(crate) mod paths;
 pub(crate) mod noise_rule;
 pub(crate) mod driven_field;
 pub(crate) mod driven;

@@ -49,40 +49,71 @@ impl NoiseRule {
     ///
     /// # Errors
     /// That of the part that fails.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub(super) fn parts<T: Real>(
         self,
         increments: &[T],
         step: f64,
         mut part: impl FnMut(NoisePart<'_, T>) -> Result<usize, StepError>,
     ) -> Result<usize, StepError> {
-        let rate = |increment: &T| *increment / step;
+        let fields = self.fields(increments.len());
+        let parts = match self {
+            Self::Together => 1,
+            Self::Alternating => fields + 2,
+        };
+        let mut weights: SmallVec<[T; MOST_FIELDS]> = smallvec![T::zero(); fields];
+        let mut iterations = 0;
+        // In wide registers the field has to be called at one place, to be inlined there.
+        for number in 0..parts {
+            let (drift, size) = match self {
+                Self::Together => (1.0, step),
+                Self::Alternating if number == 0 || number > fields => (1.0, 0.5 * step),
+                Self::Alternating => (0.0, step),
+            };
+            let used = self.write_weights(number, increments, step, &mut weights);
+            let weights = weights.get(..used).unwrap_or_default();
+            iterations += part(NoisePart { drift, weights, step: size })?;
+        }
+        Ok(iterations)
+    }
+
+    /// Returns the number of fields of noise with so many components.
+    const fn fields(self, components: usize) -> usize {
+        match self {
+            Self::Together => components,
+            Self::Alternating => components.saturating_sub(1),
+        }
+    }
+
+    /// Writes the weights of the fields in a part of a step. Returns how many there are, 0 if all are 0.
+    #[cfg_attr(optimised, inline(always))]
+    fn write_weights<T: Real>(
+        self,
+        number: usize,
+        increments: &[T],
+        step: f64,
+        weights: &mut [T],
+    ) -> usize {
+        let fields = weights.len();
         match (self, increments.split_last()) {
             (Self::Together, _) => {
-                let weights: SmallVec<[T; MOST_FIELDS]> = increments.iter().map(rate).collect();
-                part(NoisePart { drift: 1.0, weights: &weights, step })
-            }
-            (Self::Alternating, None) => part(NoisePart { drift: 1.0, weights: &[], step }),
-            (Self::Alternating, Some((coin, increments))) => {
-                let half = NoisePart { drift: 1.0, weights: &[], step: 0.5 * step };
-                let mut iterations = part(half)?;
-                let mut weights: SmallVec<[T; MOST_FIELDS]> =
-                    smallvec![T::zero(); increments.len()];
-                let pairs = increments.iter().zip(increments.iter().rev()).enumerate();
-                for (k, (forward, backward)) in pairs {
-                    // Lanes may go through the fields in different orders.
-                    let reversed = increments.len() - 1 - k;
-                    let none = T::zero();
-                    weights[k] = rate(&coin.select_nonnegative(*forward, none));
-                    weights[reversed] = match k == reversed {
-                        true => rate(forward),
-                        false => rate(&coin.select_nonnegative(none, *backward)),
-                    };
-                    iterations += part(NoisePart { drift: 0.0, weights: &weights, step })?;
-                    (weights[k], weights[reversed]) = (none, none);
+                for (weight, increment) in weights.iter_mut().zip(increments) {
+                    *weight = *increment / step;
                 }
-                Ok(iterations + part(half)?)
+                fields
             }
+            (Self::Alternating, Some((coin, increments))) if (1..=fields).contains(&number) => {
+                let (none, k, reversed) = (T::zero(), number - 1, fields - number);
+                weights.fill(none);
+                // Lanes may go through the fields in different orders.
+                weights[k] = coin.select_nonnegative(increments[k], none) / step;
+                weights[reversed] = match k == reversed {
+                    true => increments[k] / step,
+                    false => coin.select_nonnegative(none, increments[reversed]) / step,
+                };
+                fields
+            }
+            (Self::Alternating, _) => 0,
         }
     }
 }

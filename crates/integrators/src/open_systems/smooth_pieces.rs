@@ -15,7 +15,7 @@ impl<T: Real> Window<T> {
     pub const ALL: Self = Self(None);
 
     /// Returns the time in the window that is nearest to a time.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     #[must_use]
     pub fn nearest(&self, time: T) -> T {
         let Some((first, last)) = self.0 else { return time };
@@ -32,34 +32,55 @@ impl<T: Real> Window<T> {
 ///
 /// # Errors
 /// That of the part that fails.
-#[inline]
+#[cfg_attr(optimised, inline(always))]
 pub(super) fn smooth_pieces<T: Real>(
     time: T,
     step: f64,
     next_break: impl Fn(f64, bool) -> Option<f64>,
     mut piece: impl FnMut(Window<T>, f64, f64) -> Result<usize, StepError>,
 ) -> Result<usize, StepError> {
-    let forward = step >= 0.0;
-    let slack = SLACK * step.abs();
-    let beyond = slack.copysign(step);
-    // Without a breakpoint from here on, as of most fields, there is nothing to divide.
-    if first_break(time, 0.0, &|time| next_break(time - beyond, forward)) == f64::INFINITY {
-        return piece(Window::ALL, 0.0, step);
-    }
-    let next_break_after = |time: f64| next_break(time + beyond, forward);
     let (mut elapsed, mut iterations) = (0.0, 0);
     loop {
-        let left = (step - elapsed).abs();
-        let distance = first_break(time, elapsed, &next_break_after);
-        let is_last = distance + slack >= left;
-        let size = if is_last { step - elapsed } else { distance.copysign(step) };
-        let window = window(time, (elapsed, elapsed + size), slack, &next_break);
+        let Part { window, size, is_last } = next_part(time, step, elapsed, &next_break);
+        // In wide registers the field has to be called at one place, to be inlined there.
         iterations += piece(window, elapsed, size)?;
         if is_last {
             return Ok(iterations);
         }
         elapsed += size;
     }
+}
+
+/// A part of a step.
+struct Part<T> {
+    window: Window<T>,
+    size: f64,
+    is_last: bool,
+}
+
+/// Returns the part of a step that begins so long after its beginning.
+#[inline]
+fn next_part<T: Real>(
+    time: T,
+    step: f64,
+    elapsed: f64,
+    next_break: &impl Fn(f64, bool) -> Option<f64>,
+) -> Part<T> {
+    let forward = step >= 0.0;
+    let slack = SLACK * step.abs();
+    let beyond = slack.copysign(step);
+    // Without a breakpoint from here on, as of most fields, there is nothing to divide.
+    if elapsed == 0.0
+        && first_break(time, 0.0, &|time| next_break(time - beyond, forward)) == f64::INFINITY
+    {
+        return Part { window: Window::ALL, size: step, is_last: true };
+    }
+    let left = (step - elapsed).abs();
+    let distance = first_break(time, elapsed, &|time| next_break(time + beyond, forward));
+    let is_last = distance + slack >= left;
+    let size = if is_last { step - elapsed } else { distance.copysign(step) };
+    let window = window(time, (elapsed, elapsed + size), slack, next_break);
+    Part { window, size, is_last }
 }
 
 /// Returns the shortest distance in any lane from a time after `elapsed` to the next breakpoint; ∞ if there is none.

@@ -1,8 +1,8 @@
 //! The parts of a step of a driven and noisy motion: [`StepParts`].
 
 use crate::error::StepError;
-use crate::open_systems::brownian_paths::BrownianPaths;
 use crate::open_systems::noise_rule::{MOST_FIELDS, NoisePart, NoiseRule};
+use crate::open_systems::paths::brownian_paths::BrownianPaths;
 use crate::open_systems::smooth_pieces::{Window, smooth_pieces};
 use lie_poisson::Real;
 use smallvec::{SmallVec, smallvec};
@@ -42,7 +42,7 @@ impl StepParts<'_> {
     ///
     /// # Errors
     /// That of the part that fails.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub fn make<T: Real>(
         &self,
         (path, clock): (T, T),
@@ -51,16 +51,27 @@ impl StepParts<'_> {
         mut part: impl FnMut(Window<T>, NoisePart<'_, T>) -> Result<usize, StepError>,
     ) -> Result<usize, StepError> {
         let interval = self.interval;
-        smooth_pieces(clock * interval, step, next_break, |window, elapsed, step| {
-            let Some((paths, rule, fields)) = self.noise else {
-                return part(window, NoisePart { drift: 1.0, weights: &[], step });
-            };
-            let between = [elapsed, elapsed + step].map(|time| time / interval);
-            let mut increments: SmallVec<[T; MOST_FIELDS]> =
-                smallvec![T::zero(); rule.components(fields)];
-            write_increments(paths, (path, clock), between.into(), &mut increments);
-            rule.parts(&increments, step, |noise| part(window, noise))
-        })
+        smooth_pieces(
+            clock * interval,
+            step,
+            next_break,
+            #[cfg_attr(optimised, inline(always))]
+            |window, elapsed, step| {
+                let Some((paths, rule, fields)) = self.noise else {
+                    return part(window, NoisePart { drift: 1.0, weights: &[], step });
+                };
+                let between = [elapsed, elapsed + step].map(|time| time / interval);
+                let mut increments: SmallVec<[T; MOST_FIELDS]> =
+                    smallvec![T::zero(); rule.components(fields)];
+                write_increments(paths, (path, clock), between.into(), &mut increments);
+                rule.parts(
+                    &increments,
+                    step,
+                    #[cfg_attr(optimised, inline(always))]
+                    |noise| part(window, noise),
+                )
+            },
+        )
     }
 }
 

@@ -153,14 +153,15 @@ where
 /// use nalgebra::Vector3;
 /// let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.x * 0.5 + pi.y * pi.z);
 /// let (space, inner_product) = (LiePoisson::minus(So3), InnerProduct::euclidean());
-/// let damped = |sign: f64| {
-///     let (field, inner_product) = (Autonomous(&h), inner_product.clone());
-///     move |friction: f64| DoubleBracket { space, field, friction: sign * friction, inner_product: inner_product.clone() }
+/// let damped = |space| {
+///     let inner_product = inner_product.clone();
+///     let field = Autonomous(&h);
+///     move |friction| DoubleBracket::new(space, field, friction, inner_product.clone()).unwrap()
 /// };
 /// let samples = [Covector(Vector3::new(0.3, -0.7, 0.5)), Covector(Vector3::new(0.9, 0.2, -0.6))];
-/// let check = |sign| laws::double_bracket(&space, &h, &inner_product, damped(sign), 0.7, &samples);
-/// check(1.0)?.check(1e-13)?;
-/// assert!(check(-1.0)?.check(1e-3).is_err()); // energy is fed
+/// let check = |field_of| laws::double_bracket(&space, &h, &inner_product, field_of, 0.7, &samples);
+/// check(damped(space))?.check(1e-13)?;
+/// assert!(check(damped(LiePoisson::plus(So3)))?.check(1e-3).is_err()); // energy is fed
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn double_bracket<P, H, X>(

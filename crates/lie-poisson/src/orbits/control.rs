@@ -1,6 +1,7 @@
 //! Controls: [`Controlled`] fields, and [`Inputs`] along fixed elements of the Lie algebra.
 
 use crate::brackets::poisson::PoissonSpace;
+use crate::orbits::breakpoints::nearest;
 use crate::orbits::input_table::{InputTable, InputTableError};
 use crate::orbits::orbit_field::OrbitField;
 use generic_scalars::{Differential, Point, Real, Vector, map_coordinates};
@@ -135,10 +136,4 @@ where
             [self.field.next_break(time, forward), self.control.next_break(time, forward)];
         nearest(field, control, forward)
     }
-}
-
-/// Returns the earlier of two times, or the later one if `forward` is false.
-fn nearest(one: Option<f64>, other: Option<f64>, forward: bool) -> Option<f64> {
-    let nearer = |a: f64, b: f64| if forward { a.min(b) } else { a.max(b) };
-    one.into_iter().chain(other).reduce(nearer)
 }

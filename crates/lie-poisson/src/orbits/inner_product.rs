@@ -111,12 +111,21 @@ impl InnerProduct {
     }
 
     /// Returns α♯. It is NaN if the matrix has not as many rows as the space has coordinates.
+    #[cfg_attr(optimised, inline(always))]
     #[must_use]
     pub fn sharp<P: VectorSpace, T: Real>(&self, alpha: &Point<P, T>) -> Differential<P, T> {
         if self.rows.is_empty() {
-            return map_coordinates(alpha, |x| x);
+            return map_coordinates(
+                alpha,
+                #[cfg_attr(optimised, inline(always))]
+                |x| x,
+            );
         }
-        product::<P, T>(&self.rows, |j| alpha.coordinate(j))
+        product::<P, T>(
+            &self.rows,
+            #[cfg_attr(optimised, inline(always))]
+            |j| alpha.coordinate(j),
+        )
     }
 
     /// Returns Σ_k w_k e_k for elements e_k of 𝔤 that are orthonormal in the inner product on 𝔤, so that Σ_k e_k ⟨α, e_k⟩ = α♯.
@@ -132,20 +141,38 @@ impl InnerProduct {
     /// assert_eq!(sum, 2.0); // the entry (1, 2) of the matrix
     /// # Ok::<(), lie_poisson::InnerProductError>(())
     /// ```
+    #[cfg_attr(optimised, inline(always))]
     #[must_use]
     pub fn orthonormal<P: VectorSpace, T: Real>(&self, weights: &[T]) -> Differential<P, T> {
-        product::<P, T>(&self.root, |k| weights.get(k).copied().unwrap_or_else(T::zero))
+        let zero = T::zero();
+        let mut element: Differential<P, T> = Vector::zero();
+        element.set_coordinates(
+            #[cfg_attr(optimised, inline(always))]
+            |k| weights.get(k).copied().unwrap_or(zero),
+        );
+        if self.rows.is_empty() {
+            return element;
+        }
+        product::<P, T>(
+            &self.root,
+            #[cfg_attr(optimised, inline(always))]
+            |k| element.coordinate(k),
+        )
     }
 }
 
 /// Returns the product of a square matrix with a vector, as [`write_product`] writes it.
+#[cfg_attr(optimised, inline(always))]
 fn product<P: VectorSpace, T: Real>(
     rows: &[f64],
     vector: impl Fn(usize) -> T,
 ) -> Differential<P, T> {
     let mut product: Differential<P, T> = Vector::zero();
     let size = Point::<P, T>::DIM;
-    product.set_coordinates(|i| entry(rows, size, i, &vector));
+    product.set_coordinates(
+        #[cfg_attr(optimised, inline(always))]
+        |i| entry(rows, size, i, &vector),
+    );
     product
 }
 
@@ -156,7 +183,7 @@ fn write_product<T: Real>(rows: &[f64], product: &mut [T], vector: impl Fn(usize
 }
 
 /// Returns an entry of the product of a square matrix with a vector.
-#[inline]
+#[cfg_attr(optimised, inline(always))]
 fn entry<T: Real>(rows: &[f64], size: usize, i: usize, vector: &impl Fn(usize) -> T) -> T {
     if rows.is_empty() {
         return vector(i);
@@ -164,8 +191,11 @@ fn entry<T: Real>(rows: &[f64], size: usize, i: usize, vector: &impl Fn(usize) -
     if rows.len() != size * size {
         return T::from_f64(f64::NAN);
     }
-    let row = rows.iter().skip(i * size).take(size);
-    row.enumerate().fold(T::zero(), |sum, (j, entry)| sum + vector(j) * *entry)
+    let mut sum = T::zero();
+    for (j, entry) in rows.iter().skip(i * size).take(size).enumerate() {
+        sum += vector(j) * *entry;
+    }
+    sum
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Inputs by tables: [`InputTable`].
 
+use crate::orbits::breakpoints::next_of;
 use crate::orbits::interpolation::{Interpolation, Piece};
 use generic_scalars::{Mask, Real};
 use thiserror::Error;
@@ -185,14 +186,7 @@ impl InputTable {
     /// none beyond the ends, nor for NaN.
     #[must_use]
     pub fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
-        if time.is_nan() {
-            return None;
-        }
-        let place = match forward {
-            true => Some(self.times.partition_point(|t| *t <= time)),
-            false => self.times.partition_point(|t| *t < time).checked_sub(1),
-        };
-        place.and_then(|place| self.times.get(place)).copied()
+        next_of(&self.times, time, forward)
     }
 
     /// Requires that the input is known from `begin` to `end`, in either direction of time.

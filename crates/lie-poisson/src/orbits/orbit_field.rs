@@ -78,6 +78,8 @@ impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T>> OrbitField<P, T> for Autono
 
 /// The field ξ = `d_μ` h(μ, t) of a Hamiltonian that depends on time: a Hamiltonian on [`InTime<P>`](InTime).
 ///
+/// If h has jumps in time, as inputs by tables make, [`WithBreakpoints`](crate::WithBreakpoints) tells them.
+///
 /// # Example
 /// A spin in a field that oscillates, h = −Π₁ cos t:
 /// ```

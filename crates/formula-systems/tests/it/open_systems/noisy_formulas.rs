@@ -23,7 +23,7 @@ fn noise_of_a_temperature_is_the_typed_one_on_every_path() {
             (pi.x * pi.x + pi.y * pi.y * 0.5 + pi.z * pi.z * (1.0 / 3.0)) * 0.5
         });
         let (space, inner_product) = (LiePoisson::minus(So3), InnerProduct::euclidean());
-        let field = DoubleBracket { space, field: Autonomous(h), friction: 0.3, inner_product };
+        let field = DoubleBracket::new(space, Autonomous(h), 0.3, inner_product).unwrap();
         let noise = IsotropicNoise::thermal(InnerProduct::euclidean(), (0.3, 0.5)).unwrap();
         let paths = BrownianPaths::new(1, 0.05).unwrap();
         let typed =

@@ -1,7 +1,7 @@
 //! The keys at fault where the tables of an open system are wrong.
 
 use collective_integrators::BrownianError;
-use lie_poisson::NoiseError;
+use lie_poisson::DissipationError;
 use lie_poisson_formula_systems::OpenSystemError;
 
 /// Returns the keys that may be at fault, the likeliest first, each with what to write there.
@@ -22,8 +22,8 @@ pub(super) fn keys_of_open(error: &OpenSystemError) -> Vec<(String, &'static str
         E::NoInnerProduct { .. } => {
             ["damping", "noise"].map(|key| (key.into(), "add inner_product")).to_vec()
         }
-        E::Noise(NoiseError::Friction { .. }) => key("damping.friction", "write 0 or more"),
-        E::Noise(NoiseError::Temperature { .. }) => key("noise.temperature", "write 0 or more"),
+        E::Dissipation(DissipationError::Friction { .. }) => key("damping.friction", "write 0 or more"),
+        E::Dissipation(DissipationError::Temperature { .. }) => key("noise.temperature", "write 0 or more"),
         E::Brownian(BrownianError::Bound { .. }) => key("noise.bound", "write 1 or more"),
         E::Brownian(_) => {
             ["noise.interval", "integrator.step"].map(|key| (key.into(), "")).to_vec()

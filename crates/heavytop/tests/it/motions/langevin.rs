@@ -21,7 +21,7 @@ fn means(steps: u64) -> ([(f64, f64); 4], [f64; 2]) {
     let inner_product = InnerProduct::euclidean();
     let noise = IsotropicNoise::thermal(inner_product.clone(), (FRICTION, TEMPERATURE)).unwrap();
     let space = LiePoisson::minus(Se3::default());
-    let field = DoubleBracket { space, field: Autonomous(top), friction: FRICTION, inner_product };
+    let field = DoubleBracket::new(space, Autonomous(top), FRICTION, inner_product).unwrap();
     let paths = BrownianPaths::new(2, STEP).unwrap();
     let scheme = RungeKutta::implicit_midpoint();
     let langevin = Noisy::new(scheme, SpinorRealisation, field, noise, paths);

@@ -16,19 +16,16 @@ proptest! {
     #[test]
     fn a_spin_comes_to_rest_as_landau_and_lifshitz_say(
         angle in 0.05..3.1_f64,
-        friction in -0.4..0.8_f64,
+        friction in 0.0..0.8_f64,
         field in 0.3..1.5_f64,
         power in -30..30_i32,
     ) {
         let unit = 10.0_f64.powi(power);
         let space = LiePoisson::minus(So3);
         let h = from_closure::<LiePoisson<So3>, _>(move |Covector(pi)| pi.z * -field);
-        let damped = DoubleBracket {
-            space,
-            field: Autonomous(h),
-            friction: friction / unit,
-            inner_product: InnerProduct::euclidean(),
-        };
+        let inner_product = InnerProduct::euclidean();
+        let damped =
+            DoubleBracket::new(space, Autonomous(h), friction / unit, inner_product).unwrap();
         let pi = Vector3::new(angle.sin(), 0.0, angle.cos()) * unit;
         let gauss = Driven::new(RungeKutta::gauss(5).unwrap(), HOPF, damped);
         let start = Pair(Covector(pi), Vector1::new(0.0));
@@ -44,7 +41,7 @@ proptest! {
         prop_assert!((end - exact).norm() < 1e-11, "{end} {exact}");
         prop_assert!((end.norm() - 1.0).abs() < 1e-13);
         // Control: an undamped spin stays at its angle.
-        prop_assert!(friction.abs() < 0.01 || (end.z - pi.z / unit).abs() > 1e-6);
+        prop_assert!(friction < 0.01 || (end.z - pi.z / unit).abs() > 1e-6);
     }
 
     /// A heavy top loses energy by a double bracket at the rate −θ |Λ dh|², for any inner product, and keeps |Γ|² and Π·Γ.
@@ -77,12 +74,8 @@ proptest! {
             let dh = gradient.differential(mu);
             lie_poisson::PoissonSpace::hamiltonian_vector::<f64>(&space, mu, &dh)
         });
-        let damped = DoubleBracket {
-            space,
-            field: Autonomous(&gradient),
-            friction,
-            inner_product: inner_product.clone(),
-        };
+        let field = Autonomous(&gradient);
+        let damped = DoubleBracket::new(space, field, friction, inner_product.clone()).unwrap();
         let gauss = Driven::new(RungeKutta::gauss(4).unwrap(), PARTICLE, damped);
         let gamma = Vector3::new(0.6, 0.48, 0.64);
         // The realisation is that of Π·Γ = 0.

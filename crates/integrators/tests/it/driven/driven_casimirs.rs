@@ -2,10 +2,10 @@
 
 use collective_integrators::{Direct, Driven, DrivenField, Integrator, RungeKutta, Start};
 use lie_poisson::{
-    Casimirs, Covector, LiePoisson, Momentum, OrbitField, Pair, Real, Se3, So3, UnitaryAlgebra,
-    Vector,
+    Casimirs, Covector, LiePoisson, Momentum, OrbitField, Pair, Power, PowerAlgebra, Real, Se3,
+    So3, UnitaryAlgebra, Vector,
 };
-use momentum_map::{HOPF, Lift, PARTICLE, PoissonMap, unitary_realisation};
+use momentum_map::{HOPF, Lift, PARTICLE, PoissonMap, PowerMap, unitary_realisation};
 use nalgebra::{Vector1, Vector3};
 use num_complex::Complex;
 
@@ -56,10 +56,11 @@ where
     largest / size
 }
 
-/// Returns the largest deviations on so(3)∗, se(3)∗ and u(3)∗.
-fn deviations(steps: usize) -> [f64; 3] {
+/// Returns the largest deviations on so(3)∗, se(3)∗, u(3)∗ and so(4)∗ = so(3)∗ × so(3)∗.
+fn deviations(steps: usize) -> [f64; 4] {
     let spin = Covector(Vector3::new(0.6, 0.0, 0.8));
     let top = Covector(Pair(Vector3::new(0.4, 1.2, -0.3), Vector3::new(0.6, 0.0, 0.8)));
+    let two = Covector(Power([spin.0, Vector3::new(0.1, 0.5, -0.4)]));
     let c = Complex::new;
     let z = Vector3::new(c(1.0, 0.2), c(0.3, -1.0), c(0.5, 0.4));
     let coherent = unitary_realisation::<3>().apply(&z);
@@ -67,6 +68,7 @@ fn deviations(steps: usize) -> [f64; 3] {
         deviation::<_, So3>(HOPF, &spin, steps),
         deviation::<_, Se3>(PARTICLE, &top, steps),
         deviation::<_, UnitaryAlgebra<3>>(unitary_realisation::<3>(), &coherent, steps),
+        deviation::<_, PowerAlgebra<So3, 2>>(PowerMap::<_, 2>(HOPF), &two, steps),
     ]
 }
 

@@ -5,9 +5,10 @@ use collective_integrators::{BrownianPaths, Direct, NoiseRule, Noisy, RungeKutta
 use lie_poisson::Automatic;
 use lie_poisson::{
     Autonomous, Casimirs, Covector, DoubleBracket, Energy, InnerProduct, LieAlgebra, LiePoisson,
-    Momentum, Pair, Point, PoissonSpace, Real, Se3, So3, State, UnitaryAlgebra, Vector,
+    Momentum, Pair, Point, PoissonSpace, Power, PowerAlgebra, Real, Se3, So3, State,
+    UnitaryAlgebra, Vector,
 };
-use momentum_map::{HOPF, Lift, PARTICLE, PoissonMap, unitary_realisation};
+use momentum_map::{HOPF, Lift, PARTICLE, PoissonMap, PowerMap, unitary_realisation};
 use nalgebra::Vector3;
 use num_complex::Complex;
 
@@ -40,7 +41,7 @@ where
     let first = values(start);
     let field = Autonomous(Automatic(Generic(algebra.clone())));
     let inner_product = InnerProduct::euclidean();
-    let field = DoubleBracket { space, field, friction: 0.1, inner_product };
+    let field = DoubleBracket::new(space, field, 0.1, inner_product).unwrap();
     let noise = isotropic(0.3);
     let paths = BrownianPaths::new(4, 0.05).unwrap();
     let noisy = Noisy::new(RungeKutta::implicit_midpoint(), map, field, noise, paths);
@@ -56,10 +57,11 @@ where
     largest
 }
 
-/// Returns the largest deviations on so(3)∗, se(3)∗ and u(3)∗.
-fn deviations(rule: NoiseRule, steps: usize) -> [f64; 3] {
+/// Returns the largest deviations on so(3)∗, se(3)∗, u(3)∗ and so(4)∗ = so(3)∗ × so(3)∗.
+fn deviations(rule: NoiseRule, steps: usize) -> [f64; 4] {
     let spin = Covector(Vector3::new(0.6, 0.0, 0.8));
     let top = Covector(Pair(Vector3::new(0.4, 1.2, -0.3), Vector3::new(0.6, 0.0, 0.8)));
+    let two = Covector(Power([spin.0, Vector3::new(0.1, 0.5, -0.4)]));
     let c = Complex::new;
     let z = Vector3::new(c(0.5, 0.1), c(0.2, -0.5), c(0.3, 0.2));
     let coherent = unitary_realisation::<3>().apply(&z);
@@ -67,6 +69,7 @@ fn deviations(rule: NoiseRule, steps: usize) -> [f64; 3] {
         deviation::<_, So3>(HOPF, &spin, rule, steps),
         deviation::<_, Se3>(PARTICLE, &top, rule, steps),
         deviation::<_, UnitaryAlgebra<3>>(unitary_realisation::<3>(), &coherent, rule, steps),
+        deviation::<_, PowerAlgebra<So3, 2>>(PowerMap::<_, 2>(HOPF), &two, rule, steps),
     ]
 }
 

@@ -47,7 +47,7 @@ where
 {
     let inner_product = InnerProduct::euclidean();
     let noise = IsotropicNoise::thermal(inner_product.clone(), (friction, temperature));
-    let field = DoubleBracket { space, field: Autonomous(h), friction, inner_product };
+    let field = DoubleBracket::new(space, Autonomous(h), friction, inner_product).unwrap();
     Noisy::new(RungeKutta::implicit_midpoint(), map, field, noise.unwrap(), paths)
 }
 

@@ -14,28 +14,35 @@ proptest! {
     fn breaks_are_told_by_all_fields(time in -2.0..5.0_f64, forward: bool) {
         let one = table(&[0.0, 0.4, 1.0, 3.0], &[1.0, -0.5, 2.0, 0.7]);
         let other = table(&[-1.0, 2.0, 4.0], &[0.2, 0.9, -0.8]);
-        let control = Inputs::new(vec![(Vector3::x(), one), (Vector3::y(), other)]).unwrap();
+        let control = Inputs::new(vec![(Vector3::x(), one), (Vector3::y(), other.clone())]).unwrap();
         let still = Autonomous(from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.y));
         let mut times = vec![-1.0, 0.0, 0.4, 1.0, 2.0, 3.0, 4.0];
         times.retain(|t| if forward { *t > time } else { *t < time });
         let expected = if forward { times.first() } else { times.last() }.copied();
         let space = LiePoisson::minus(So3);
         let field = Controlled { field: &still, control: &control };
-        let bracket = DoubleBracket {
-            space,
-            field: &field,
-            friction: 0.1,
-            inner_product: InnerProduct::euclidean(),
-        };
+        let bracket = DoubleBracket::new(space, &field, 0.1, InnerProduct::euclidean()).unwrap();
         let gilbert = GilbertDamping::new(space, &bracket, 0.1).unwrap();
         let nested = Controlled { field: &control, control: &gilbert };
-        let fields: [&dyn OrbitField<LiePoisson<So3>>; 5] =
-            [&control, &field, &bracket, &gilbert, &nested];
+        // Some of the times are given, in any order and twice, and the field tells the others.
+        let given = vec![3.0, 0.4, 1.0, 0.0, 0.4];
+        let other = Inputs::new(vec![(Vector3::y(), other)]).unwrap();
+        let given = WithBreakpoints::new(&other, given).unwrap();
+        let fields: [&dyn OrbitField<LiePoisson<So3>>; 6] =
+            [&control, &field, &bracket, &gilbert, &nested, &given];
         for field in fields {
             prop_assert_eq!(field.next_break(time, forward), expected);
         }
         let still: &dyn OrbitField<LiePoisson<So3>> = &still;
         prop_assert_eq!(still.next_break(time, forward), None);
+    }
+}
+
+#[test]
+fn breakpoints_that_are_no_times_are_refused() {
+    for time in [f64::NAN, f64::INFINITY] {
+        let error = WithBreakpoints::new((), vec![0.5, time]).unwrap_err();
+        assert!(error.place == 2 && !error.time.is_finite(), "{error}");
     }
 }
 

@@ -84,21 +84,16 @@ where
     let h = Automatic(Quadratic::<A>(PhantomData));
     let friction = 0.4 / units.momentum;
     let inner_product = weighted(Momentum::<A>::DIM);
-    let damped = |friction| DoubleBracket {
-        space: space.clone(),
-        field: Autonomous(&h),
-        friction,
-        inner_product: inner_product.clone(),
+    let damped = |friction| {
+        let (space, inner_product) = (space.clone(), inner_product.clone());
+        DoubleBracket::new(space, Autonomous(&h), friction, inner_product).unwrap()
     };
     holds(laws::double_bracket(&space, &h, &inner_product, damped, friction, &samples).unwrap());
     let oscillating = TimeDependent(Automatic(Oscillating::<A>(units.time, PhantomData)));
     let control = inputs(units, interpolation);
-    let field = DoubleBracket {
-        space: space.clone(),
-        field: Controlled { field: oscillating, control },
-        friction,
-        inner_product: inner_product.clone(),
-    };
+    let controlled = Controlled { field: oscillating, control };
+    let field =
+        DoubleBracket::new(space.clone(), controlled, friction, inner_product.clone()).unwrap();
     for (begin, end) in [(0.0, 3.0), (2.5, 0.1)].map(|(a, b)| (a * units.time, b * units.time)) {
         holds(laws::orbit_field(&space, &field, (begin, end), &samples).unwrap());
     }
@@ -225,37 +220,51 @@ fn laws_of_double_brackets_reject_what_breaks_them() {
     let space = LiePoisson::minus(So3);
     let h = from_closure::<LiePoisson<So3>, _>(quadratic);
     let [euclidean, weighted] = [InnerProduct::euclidean(), weighted(3)];
-    let of = |inner_product: &InnerProduct, friction: f64| {
+    let of = |space: LiePoisson<So3>, inner_product: &InnerProduct, friction: f64| {
         let inner_product = inner_product.clone();
-        DoubleBracket { space, field: Autonomous(&h), friction, inner_product }
+        DoubleBracket::new(space, Autonomous(&h), friction, inner_product).unwrap()
     };
-    // The friction is factor · θ^power.
-    let cases: [(f64, i32, &InnerProduct, &[&str]); 4] = [
-        (1.0, 1, &weighted, &[]),
-        (-1.0, 1, &weighted, &BOTH),
-        (1.0, 2, &weighted, &BOTH),
-        (1.0, 1, &euclidean, &BOTH),
+    // The friction is θ^power, and with the other bracket it feeds energy.
+    let cases: [(LiePoisson<So3>, i32, &InnerProduct, &[&str]); 4] = [
+        (space, 1, &weighted, &[]),
+        (LiePoisson::plus(So3), 1, &weighted, &BOTH),
+        (space, 2, &weighted, &BOTH),
+        (space, 1, &euclidean, &BOTH),
     ];
-    for (factor, power, inner_product, expected) in cases {
-        let field = |friction: f64| of(inner_product, factor * friction.powi(power));
+    for (damped, power, inner_product, expected) in cases {
+        let field = |friction: f64| of(damped, inner_product, friction.powi(power));
         let report = laws::double_bracket(&space, &h, &weighted, field, 0.7, &samples());
         assert_eq!(broken(&report.unwrap()), expected);
     }
-    let none = laws::double_bracket(&space, &h, &weighted, |theta| of(&weighted, theta), 0.7, &[]);
+    let none =
+        laws::double_bracket(&space, &h, &weighted, |theta| of(space, &weighted, theta), 0.7, &[]);
     assert!(none.is_err());
-    let extra = |friction| Extra(of(&weighted, friction));
+    let extra = |friction| Extra(of(space, &weighted, friction));
     let report = laws::double_bracket(&space, &h, &weighted, extra, 0.7, &samples());
     assert_eq!(broken(&report.unwrap()), ["linear in the friction"]);
     // With Λ that is not antisymmetric the energy does something else.
     let algebra = Faulty::new(&So3, "coadjoint", 1);
     let space = LiePoisson::minus(algebra);
     let h = from_closure::<LiePoisson<Faulty<So3>>, _>(quadratic);
-    let field = |friction| DoubleBracket {
-        space: space.clone(),
-        field: Autonomous(&h),
-        friction,
-        inner_product: weighted.clone(),
+    let field = |friction| {
+        DoubleBracket::new(space.clone(), Autonomous(&h), friction, weighted.clone()).unwrap()
     };
     let report = laws::double_bracket(&space, &h, &weighted, field, 0.7, &samples());
     assert_eq!(broken(&report.unwrap()), ["loss of energy"]);
+}
+
+/// Friction that would feed energy, or is no number, is refused by all that have it.
+#[test]
+fn friction_that_is_negative_or_no_number_is_refused() {
+    let space = LiePoisson::minus(So3);
+    let bracket = |friction| DoubleBracket::new(space, (), friction, InnerProduct::euclidean());
+    for friction in [-1e-300, f64::NEG_INFINITY, f64::INFINITY, f64::NAN] {
+        let error = bracket(friction).unwrap_err();
+        assert!(matches!(error, DissipationError::Friction { friction: found }
+            if found.to_bits() == friction.to_bits()));
+        let noise = IsotropicNoise::thermal(InnerProduct::euclidean(), (friction, 1.0));
+        assert_eq!(noise.unwrap_err().to_string(), error.to_string());
+        assert!(GilbertDamping::new(space, (), friction).is_err());
+    }
+    assert!(bracket(0.0).is_ok() && bracket(f64::MAX).is_ok());
 }

@@ -81,7 +81,8 @@ proptest! {
         };
         let landau_lifshitz = |field, friction| {
             let inner_product = InnerProduct::euclidean();
-            let damped = DoubleBracket { space, field: Constant(field), friction, inner_product };
+            let damped =
+                DoubleBracket::new(space, Constant(field), friction, inner_product).unwrap();
             space.hamiltonian_vector(&s, &damped.element(&s, 0.0)).0
         };
         let size = length * omega.norm() * slower;

@@ -4,3 +4,4 @@ mod heisenberg_lattice;
 mod lattice_on_lanes;
 pub mod spin_chain;
 mod spin_lattice;
+mod thermal_spins;

@@ -110,12 +110,17 @@ where
     X: OrbitField<P, T>,
     T: Real,
 {
+    #[cfg_attr(optimised, inline(always))]
     fn element(&self, mu: &Point<P, T>, time: T) -> Differential<P, T> {
         let mut xi = self.field.element(mu, time);
         let rate = self.space.hamiltonian_vector::<T>(mu, &xi);
         let slower = 1.0 / (1.0 + self.damping * self.damping);
         for spin in 0..Point::<P, T>::DIM / 3 {
-            let length = euclidean_norm(&Vector3::from_fn(|k, _| mu.coordinate(3 * spin + k)));
+            let [x, y, z] = [0, 1, 2].map(
+                #[cfg_attr(optimised, inline(always))]
+                |k| mu.coordinate(3 * spin + k),
+            );
+            let length = euclidean_norm(&Vector3::new(x, y, z));
             for i in 3 * spin..3 * spin + 3 {
                 let drag = by_length(rate.coordinate(i), length) * self.damping;
                 xi.set_coordinate(i, (xi.coordinate(i) + drag) * slower);
@@ -131,6 +136,7 @@ where
 
 /// Returns x/|s|, and 0 for s = 0, where the damping has no direction. It does not overflow for |x| ≤ |s| |Ω|, as 1/|s|
 /// may.
+#[cfg_attr(optimised, inline(always))]
 fn by_length<T: Real>(x: T, length: T) -> T {
     let is_zero = length.at_most(T::zero());
     let divisor = T::select(is_zero, T::one(), length);

@@ -1,9 +1,9 @@
 //! Noise that moves along coadjoint orbits: [`Noise`], [`IsotropicNoise`].
 
 use crate::brackets::poisson::PoissonSpace;
+use crate::dissipation::dissipation_error::{DissipationError, require_friction};
 use crate::orbits::inner_product::InnerProduct;
-use generic_scalars::{Differential, Point, Real, Vector, map_coordinates};
-use thiserror::Error;
+use generic_scalars::{Differential, Point, Real, Vector};
 
 /// Fields σ_k: 𝔤∗ × R → 𝔤 that are driven by independent Brownian motions `W_k`, in Stratonovich's sense:
 ///
@@ -52,12 +52,12 @@ pub trait Noise<P: PoissonSpace, T: Real = f64> {
 ///
 /// # Example
 /// ```
-/// use lie_poisson::{InnerProduct, IsotropicNoise, NoiseError};
+/// use lie_poisson::{InnerProduct, IsotropicNoise, DissipationError};
 /// let noise = IsotropicNoise::thermal(InnerProduct::euclidean(), (0.5, 2.0))?;
 /// assert!((noise.strength - 2.0_f64.sqrt()).abs() < 1e-15); // √(2θkT)
 /// let refused = IsotropicNoise::thermal(InnerProduct::euclidean(), (0.5, -2.0));
-/// assert_eq!(refused, Err(NoiseError::Temperature { temperature: -2.0 }));
-/// # Ok::<(), NoiseError>(())
+/// assert_eq!(refused, Err(DissipationError::Temperature { temperature: -2.0 }));
+/// # Ok::<(), DissipationError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct IsotropicNoise {
@@ -71,39 +71,19 @@ impl IsotropicNoise {
     /// Returns the noise of a temperature, σ = √(2θkT) with the friction θ and the energy kT. Both must be 0 or positive.
     ///
     /// # Errors
-    /// Returns [`NoiseError`] for a negative friction or temperature, or one that is no finite number.
+    /// Returns [`DissipationError`] for a negative friction or temperature, or one that is no finite number.
     pub fn thermal(
         inner_product: InnerProduct,
         (friction, temperature): (f64, f64),
-    ) -> Result<Self, NoiseError> {
-        if !(friction >= 0.0 && friction.is_finite()) {
-            return Err(NoiseError::Friction { friction });
-        }
+    ) -> Result<Self, DissipationError> {
+        require_friction(friction)?;
         if !(temperature >= 0.0 && temperature.is_finite()) {
-            return Err(NoiseError::Temperature { temperature });
+            return Err(DissipationError::Temperature { temperature });
         }
         // Roots of both, since the product may overflow.
         let strength = 2.0_f64.sqrt() * friction.sqrt() * temperature.sqrt();
         Ok(Self { inner_product, strength })
     }
-}
-
-/// The reason why there is no such noise.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum NoiseError {
-    /// The friction is negative or no finite number.
-    #[error("the friction must be 0 or a positive number, it is {friction}")]
-    Friction {
-        /// The rejected friction.
-        friction: f64,
-    },
-    /// The temperature is negative or no finite number.
-    #[error("the temperature must be 0 or a positive number, it is {temperature}")]
-    Temperature {
-        /// The rejected temperature.
-        temperature: f64,
-    },
 }
 
 impl<P: PoissonSpace, T: Real> Noise<P, T> for IsotropicNoise {
@@ -112,9 +92,8 @@ impl<P: PoissonSpace, T: Real> Noise<P, T> for IsotropicNoise {
         Point::<P, T>::DIM
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn element(&self, _: &Point<P, T>, _: T, weights: &[T]) -> Differential<P, T> {
-        let element = self.inner_product.orthonormal::<P, T>(weights);
-        map_coordinates(&element, |x| x * self.strength)
+        self.inner_product.orthonormal::<P, T>(weights).scaled(T::from_f64(self.strength))
     }
 }

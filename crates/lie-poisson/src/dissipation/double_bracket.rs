@@ -1,9 +1,10 @@
 //! Dissipation that stays on coadjoint orbits: [`DoubleBracket`].
 
 use crate::brackets::poisson::PoissonSpace;
+use crate::dissipation::dissipation_error::{DissipationError, require_friction};
 use crate::orbits::inner_product::InnerProduct;
 use crate::orbits::orbit_field::OrbitField;
-use generic_scalars::{Differential, Point, Real, map_coordinates};
+use generic_scalars::{Differential, Point, Real, Vector};
 
 /// The field of a double bracket,
 ///
@@ -27,22 +28,46 @@ use generic_scalars::{Differential, Point, Real, map_coordinates};
 /// let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| -pi.z);
 /// let space = LiePoisson::minus(So3);
 /// let inner_product = InnerProduct::euclidean();
-/// let damped = DoubleBracket { space, field: Autonomous(h), friction: 0.5, inner_product };
+/// let damped = DoubleBracket::new(space, Autonomous(h), 0.5, inner_product)?;
 /// let pi = Covector(Vector3::new(0.6, 0.0, 0.8));
 /// let rate = space.hamiltonian_vector(&pi, &damped.element(&pi, 0.0)).0;
 /// assert!((rate.z - 0.5 * 0.36).abs() < 1e-15); // θ |Π × e₃|²
 /// assert!(rate.dot(&pi.0).abs() < 1e-15);
+/// assert!(DoubleBracket::new(space, damped.field(), -0.5, InnerProduct::euclidean()).is_err());
+/// # Ok::<(), lie_poisson::DissipationError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct DoubleBracket<P, X> {
-    /// The space with its bracket.
-    pub space: P,
-    /// The field ξ₀ that is damped.
-    pub field: X,
-    /// The friction θ; energy is lost if it is positive.
-    pub friction: f64,
-    /// The inner product ♯.
-    pub inner_product: InnerProduct,
+    space: P,
+    field: X,
+    friction: f64,
+    inner_product: InnerProduct,
+}
+
+impl<P, X> DoubleBracket<P, X> {
+    /// Creates a damped field from the space with its bracket, the field ξ₀, the friction θ and the inner product ♯.
+    ///
+    /// # Errors
+    /// Returns [`DissipationError::Friction`] if θ is negative, infinite or NaN.
+    pub fn new(
+        space: P,
+        field: X,
+        friction: f64,
+        inner_product: InnerProduct,
+    ) -> Result<Self, DissipationError> {
+        require_friction(friction)?;
+        Ok(Self { space, field, friction, inner_product })
+    }
+
+    /// Returns the field ξ₀ that is damped.
+    pub const fn field(&self) -> &X {
+        &self.field
+    }
+
+    /// Returns the friction θ.
+    pub const fn friction(&self) -> f64 {
+        self.friction
+    }
 }
 
 impl<P, X, T> OrbitField<P, T> for DoubleBracket<P, X>
@@ -51,11 +76,13 @@ where
     X: OrbitField<P, T>,
     T: Real,
 {
+    #[cfg_attr(optimised, inline(always))]
     fn element(&self, mu: &Point<P, T>, time: T) -> Differential<P, T> {
         let xi = self.field.element(mu, time);
         let rate = self.space.hamiltonian_vector::<T>(mu, &xi);
         let sharp = self.inner_product.sharp::<P, T>(&rate);
-        xi + map_coordinates(&sharp, |x| x * self.friction)
+        let friction = T::from_f64(self.friction);
+        xi + sharp.scaled(friction)
     }
 
     fn next_break(&self, time: f64, forward: bool) -> Option<f64> {

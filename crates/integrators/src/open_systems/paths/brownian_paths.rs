@@ -1,6 +1,7 @@
 //! Brownian motions that are functions of time: [`BrownianPaths`].
 
-use crate::open_systems::philox::normals;
+use crate::open_systems::paths::normal_quantile::normal_of;
+use crate::open_systems::paths::philox::philox;
 use thiserror::Error;
 
 /// Brownian motions W(t), each the same whenever it is looked at.
@@ -170,6 +171,7 @@ impl BrownianPaths {
     /// Returns the normal numbers of an interval, and of its halves, quarters, …, which are numbered from 1.
     #[inline]
     fn node(&self, (path, block): (u64, u64), interval: f64, node: u64) -> [f64; 4] {
-        normals([self.seed, PURPOSE], [(interval as i64).cast_unsigned(), path, node, block])
+        let counter = [(interval as i64).cast_unsigned(), path, node, block];
+        philox([self.seed, PURPOSE], counter).map(normal_of)
     }
 }
