@@ -11,8 +11,8 @@
 //! functions of numbers.
 //!
 //! All methods use the [portable](lie_poisson::InstructionSet::Portable) instruction set, on every processor. A
-//! trajectory therefore has the same bits in a browser and elsewhere, as long as it needs no sine, cosine or exponential of a C
-//! library: see `docs/page.md`.
+//! trajectory therefore has the same bits in a browser and elsewhere, as long as it needs no sine, cosine or
+//! exponential of a C library: see `docs/page.md`.
 //!
 //! # Example
 //! ```

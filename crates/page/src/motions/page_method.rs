@@ -70,8 +70,8 @@ impl PageMethod {
     /// Starts a motion of the top, with portable instructions, and with a friction of the coefficient c, N m s.
     ///
     /// # Errors
-    /// Returns [`PageError`] if a number is not finite, if Γ = 0, if the friction is negative, or if there is no Gauss method
-    /// with these stages.
+    /// Returns [`PageError`] if a number is not finite, if Γ = 0, if the friction is negative, or if there is no Gauss
+    /// method with these stages.
     pub(crate) fn motion(
         self,
         top: &HeavyTop,

@@ -11,8 +11,8 @@ const SPAN: f64 = 0.02;
 
 /// The invariants of a top, with their values at the start, now, and in between.
 ///
-/// A friction changes them, too. Its part is known exactly for each step and is counted apart, so that the deviations are
-/// the errors of the method alone.
+/// A friction changes them, too. Its part is known exactly for each step and is counted apart, so that the deviations
+/// are the errors of the method alone.
 #[derive(Clone, Debug)]
 pub(crate) struct Measurement {
     top: HeavyTop,
