@@ -55,6 +55,14 @@ pub enum PageError {
         /// The refused step size, s.
         step: f64,
     },
+    /// The friction is not a number of at least 0 with which this top moves.
+    #[error(
+        "the friction must be at least 0, and finite after a division by each moment, it is {coefficient}"
+    )]
+    Friction {
+        /// The refused coefficient c, N m s.
+        coefficient: f64,
+    },
     /// Nothing of this kind has the number.
     #[error("there is no {kind} with the number {number}")]
     Unknown {

@@ -1,4 +1,4 @@
-//! The computations of the interactive page: a heavy top whose method and step change while it moves.
+//! The computations of the interactive page: a heavy top whose method, step and friction change while it moves.
 //!
 //! The crate is not published. In the source repository, this command builds the page:
 //!
@@ -11,8 +11,8 @@
 //! functions of numbers.
 //!
 //! All methods use the [portable](lie_poisson::InstructionSet::Portable) instruction set, on every processor. A
-//! trajectory therefore has the same bits in a browser and elsewhere, as long as it needs no sine or cosine of a C
-//! library: see `docs/page.md`.
+//! trajectory therefore has the same bits in a browser and elsewhere, as long as it needs no sine, cosine or
+//! exponential of a C library: see `docs/page.md`.
 //!
 //! # Example
 //! ```
@@ -37,7 +37,9 @@
 //! |---|---|
 //! | a top that moves, with its record | [`Simulation`] |
 //! | a method, to start with or to change to | [`PageMethod`] |
+//! | a friction, the torque −c Ω | [`Simulation::change_friction`] |
 //! | the state and the attitude at a time | [`Simulation::at`], which returns a [`Snapshot`] |
+//! | what the friction changes | [`Simulation::by_friction`] |
 //! | the deviations of the invariants against time | [`Simulation::columns`], each a [`DeviationColumn`] |
 //! | the points of the Poincaré section | [`Simulation::section_points`], each a [`SectionPoint`] |
 //! | the reason why the page cannot do something | [`PageError`] |

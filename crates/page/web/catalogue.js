@@ -46,6 +46,12 @@ const TOPS = [
 /** The steps of the slider, s. */
 const STEPS = [0.001, 0.002, 0.003, 0.005, 0.007, 0.01, 0.015, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.5, 0.7, 1];
 
+/**
+ * The frictions of the slider: the share of its angular velocity that the body loses while it turns by 1 rad as fast as at
+ * the throw.
+ */
+const FRICTIONS = [0, 0.0001, 0.0002, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5];
+
 /** Seconds of the motion in a second of watching. */
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 50, 200];
 

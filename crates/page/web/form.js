@@ -19,7 +19,7 @@ class Form {
     "inertia[0]": ["i1"], "inertia[1]": ["i2"], "inertia[2]": ["i3"], "principal moments": ["i1", "i2", "i3"], gravity: ["weight"],
   };
 
-  /** Calls `told.method(index)`, `told.step(seconds)`, `told.section(coordinate)` and `told.thrown()`. */
+  /** Calls `told.method(index)`, `told.step(seconds)`, `told.friction(coefficient)`, `told.section(coordinate)` and `told.thrown()`. */
   constructor(told) {
     this.told = told;
     const methods = [...METHODS.entries()];
@@ -35,6 +35,11 @@ class Form {
       this.sayStep();
       told.step(this.step);
     });
+    byId("friction").max = FRICTIONS.length - 1;
+    byId("friction").addEventListener("input", () => {
+      this.sayFriction();
+      told.friction(this.friction);
+    });
     byId("speed").replaceChildren(...SPEEDS.map((speed) => new Option(`${speed} ×`, speed)));
     const names = ["Π₁", "Π₂", "Π₃", "Γ₁", "Γ₂", "Γ₃"];
     byId("coordinate").replaceChildren(...names.map((name, index) => new Option(name, index)));
@@ -48,6 +53,7 @@ class Form {
     }
     this.choose("method", METHODS.findIndex(({ name }) => name === "gauss-8"));
     this.chooseStep(0.1);
+    byId("friction").value = 0;
     byId("speed").value = 1;
     this.fill(0);
   }
@@ -70,6 +76,42 @@ class Form {
 
   get coordinate() {
     return Number(byId("coordinate").value);
+  }
+
+  /** The coefficient c of the friction in N m s, with two digits. */
+  get friction() {
+    return this.frictionAt(Number(byId("friction").value));
+  }
+
+  frictionAt(place) {
+    return Number((FRICTIONS[place] * this.moment * this.rate).toPrecision(2));
+  }
+
+  /** Makes the scale of the friction that of a throw: its largest moment, and how fast it turns or its weight would turn it. */
+  scaleFriction({ inertia, weight, momentum }) {
+    this.moment = Math.max(...inertia);
+    const rates = momentum.map((x, i) => (inertia[i] > 0 ? Math.abs(x / inertia[i]) : 0));
+    this.rate = Math.max(...rates, Math.sqrt(weight / this.moment)) || 1;
+    this.sayFriction();
+  }
+
+  /** Chooses the friction of the slider that is nearest, for the throw in the fields. */
+  chooseFriction(coefficient) {
+    this.scaleFriction(this.read());
+    const distance = (place) => Math.abs(Math.log(this.frictionAt(place) / coefficient));
+    byId("friction").value = FRICTIONS.reduce((best, _, i) => (distance(i) < distance(best) ? i : best), 0);
+    this.sayFriction();
+  }
+
+  sayFriction() {
+    const { friction } = this;
+    const text = friction > 0 ? `c = ${readable(friction, 2)} N m s` : "none";
+    byId("friction-text").textContent = text;
+    byId("friction").setAttribute("aria-valuetext", text);
+    // Alone, the torque −c Ω lets Ω decay as exp(−ct/I).
+    byId("friction-says").textContent = friction > 0
+      ? `The torque −c Ω alone leaves at most 37 % of Ω after ${readable(this.moment / friction, 2)} s. It takes energy and changes Π·Γ, not |Γ|².`
+      : "As of the air: a torque −c Ω against the angular velocity Ω of the body.";
   }
 
   /** Chooses the step of the slider that is nearest. */

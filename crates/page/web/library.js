@@ -32,10 +32,16 @@ class Library {
     if (this.functions[name](...values) !== 0) throw new Error(this.text());
   }
 
-  throwTop({ inertia, weight, center, momentum, vertical }, method, step) {
+  throwTop({ inertia, weight, center, momentum, vertical }, method, step, friction = 0) {
     const parameters = [...inertia, weight, ...center, ...momentum, ...vertical];
     this.numbers(this.functions.parameters(), parameters.length).set(parameters);
     this.attempt("throw_top", method, step);
+    this.attempt("change_friction", friction, 0);
+    this.describeInvariants();
+  }
+
+  /** Asks what the invariants are: friction, another orbit and a new measurement can change them. */
+  describeInvariants() {
     this.invariants = this.lines("describe_invariants").map((line) => {
       const [symbol, ...unit] = line.split(" ");
       return { symbol, unit: unit.join(" ") };
@@ -48,7 +54,7 @@ class Library {
 
   /** The top at a time within its last step; after it where no time is given. */
   show(time = Infinity) {
-    const numbers = Array.from(this.numbers(this.functions.show(time), 27));
+    const numbers = Array.from(this.numbers(this.functions.show(time), 33));
     const count = numbers[24];
     return {
       time: numbers[0],
@@ -58,6 +64,7 @@ class Library {
       attitude: numbers.slice(8, 12),
       values: numbers.slice(12, 12 + count),
       deviations: numbers.slice(18, 18 + count),
+      byFriction: numbers.slice(27, 27 + count),
       columns: numbers[25],
       points: numbers[26],
     };

@@ -11,6 +11,7 @@ function obey(request, form) {
   if (place(TOPS, request.get("top")) >= 0) form.fill(place(TOPS, request.get("top")));
   if (place(METHODS, request.get("method")) >= 0) form.choose("method", place(METHODS, request.get("method")));
   if (Number(request.get("step")) > 0) form.chooseStep(Number(request.get("step")));
+  if (Number(request.get("friction")) > 0) form.chooseFriction(Number(request.get("friction")));
   if (SPEEDS.includes(Number(request.get("speed")))) byId("speed").value = request.get("speed");
   if (["light", "dark"].includes(request.get("theme"))) theme.choose(request.get("theme"));
 }
@@ -101,6 +102,7 @@ async function start() {
   const form = new Form({
     method: (index) => player.changeMethod(index),
     step: (step) => player.changeStep(step),
+    friction: (coefficient) => player.changeFriction(coefficient),
     section: () => player.changeSection(),
     thrown: () => player.throwTop(),
   });

@@ -31,7 +31,8 @@ class Player {
     return this.trying(() => {
       const parameters = this.form.read();
       try {
-        this.library.throwTop(parameters, this.form.method, this.form.step);
+        this.form.scaleFriction(parameters);
+        this.library.throwTop(parameters, this.form.method, this.form.step, this.form.friction);
       } catch (error) {
         throw new Error(this.form.explain(error.message));
       }
@@ -46,6 +47,7 @@ class Player {
   /** Throws the top from a point of the section, and lets it move. */
   beginOrbit(x, y) {
     this.library.attempt("begin_orbit", x, y);
+    this.library.describeInvariants();
     this.restart();
     this.toggle(true);
   }
@@ -54,7 +56,7 @@ class Player {
   restart() {
     this.opens = false;
     Object.assign(this, { shown: 0, tip: [], catchUp: 0, largest: 0 });
-    this.changes = [{ time: 0, method: this.form.method }];
+    this.changes = [this.change(0)];
     this.scene.show(this.parameters.inertia, 1);
     this.say();
     this.redraw();
@@ -64,10 +66,31 @@ class Player {
     this.opens = false;
     this.trying(() => {
       this.library.attempt("change_method", method, this.shown);
-      const last = this.changes.at(-1);
-      if (last.time === this.shown) last.method = method;
-      else this.changes.push({ time: this.shown, method });
+      this.noteChange();
     });
+  }
+
+  changeFriction(friction) {
+    this.opens = false;
+    this.trying(() => {
+      this.library.attempt("change_friction", friction, this.shown);
+      this.library.describeInvariants();
+      this.noteChange();
+      this.sayOfSection();
+    });
+  }
+
+  /** The method and the friction from a time on. */
+  change(time) {
+    return { time, method: this.form.method, friction: this.form.friction > 0 };
+  }
+
+  /** Notes the method and the friction from now on, if they are others. */
+  noteChange() {
+    const change = this.change(this.shown);
+    if (this.changes.at(-1).time === this.shown) this.changes.pop();
+    const last = this.changes.at(-1);
+    if (last?.method !== change.method || last.friction !== change.friction) this.changes.push(change);
   }
 
   changeStep(step) {
@@ -80,18 +103,24 @@ class Player {
     [byId("section-x").textContent, byId("section-y").textContent] = this.section.names;
     try {
       this.library.attempt("change_section", this.form.coordinate);
-      this.section.say(SECTION_HELP);
+      this.sectionTrouble = undefined;
     } catch (error) {
       // The top moves on without a section.
-      this.section.say(error.message);
+      this.sectionTrouble = error.message;
     }
+    this.sayOfSection();
     this.redraw();
+  }
+
+  sayOfSection() {
+    this.section.say(this.sectionTrouble ?? (this.form.friction > 0 ? SECTION_WITH_FRICTION : SECTION_HELP));
   }
 
   measureAnew() {
     this.trying(() => {
       this.library.attempt("measure_anew");
-      this.changes = [{ time: this.library.time, method: this.form.method }];
+      this.library.describeInvariants();
+      this.changes = [this.change(this.library.time)];
     });
   }
 

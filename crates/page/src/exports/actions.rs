@@ -33,6 +33,12 @@ pub extern "C" fn change_method(number: u32, time: f64) -> u32 {
     attempt(|desk| desk.thrown()?.change_method(method(number)?, time))
 }
 
+/// Replaces the coefficient of the friction, in N m s, from a time in s on, which lies within the last step.
+#[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
+pub extern "C" fn change_friction(coefficient: f64, time: f64) -> u32 {
+    attempt(|desk| desk.thrown()?.change_friction(coefficient, time))
+}
+
 /// Replaces the step, in s.
 #[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
 pub extern "C" fn change_step(step: f64) -> u32 {

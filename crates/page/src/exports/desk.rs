@@ -8,7 +8,7 @@ use std::cell::RefCell;
 pub(crate) const PARAMETERS: usize = 13;
 
 /// The number of numbers that [`show`](super::numbers::show) returns.
-pub(crate) const NUMBERS: usize = 32;
+pub(crate) const NUMBERS: usize = 33;
 
 /// The top of this instance, and the memory that JavaScript reads and writes.
 #[derive(Debug)]

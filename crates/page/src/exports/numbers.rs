@@ -7,7 +7,7 @@ use crate::records::deviation_record::MOST_INVARIANTS;
 use crate::simulation::running_top::Simulation;
 use lie_poisson::{Covector, Pair};
 
-/// Returns the address of 32 numbers that describe the top at a time within the last step, or after it.
+/// Returns the address of 33 numbers that describe the top at a time within the last step, or after it.
 ///
 /// | places | numbers |
 /// |---|---|
@@ -17,11 +17,12 @@ use lie_poisson::{Covector, Pair};
 /// | 5–7 | Γ at the given time, body frame |
 /// | 8–11 | the quaternion of the attitude at the given time, the scalar first |
 /// | 12–17 | the values of the invariants after the last step |
-/// | 18–23 | their deviations |
+/// | 18–23 | their deviations, without their changes by friction |
 /// | 24 | the number of invariants |
 /// | 25, 26 | the numbers of columns and of points of the section |
+/// | 27–32 | the changes of the invariants by friction |
 ///
-/// The others are 0, and all are 0 before the first throw.
+/// All are 0 before the first throw.
 #[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
 pub extern "C" fn show(time: f64) -> *const f64 {
     with(std::ptr::null(), |desk| {
@@ -65,6 +66,7 @@ fn numbers(simulation: &mut Simulation, time: f64) -> [f64; NUMBERS] {
     numbers[9..12].copy_from_slice(attitude.vector.as_slice());
     numbers[12..12 + MOST_INVARIANTS].copy_from_slice(simulation.values());
     numbers[18..18 + MOST_INVARIANTS].copy_from_slice(&simulation.deviations());
+    numbers[27..27 + MOST_INVARIANTS].copy_from_slice(&simulation.by_friction());
     numbers[24] = simulation.invariants().len() as f64;
     numbers[25] = simulation.columns().len() as f64;
     numbers[26] = simulation.section_points().len() as f64;

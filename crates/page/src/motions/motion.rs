@@ -1,17 +1,17 @@
 //! A motion that advances step by step: [`Motion`].
 
+use crate::motions::damped::{Damped, Frictions, momentum};
 use crate::motions::snapshot::Snapshot;
 use collective_integrators::{
-    AnyIntegrator, AnyState, AnyWorkspace, CHECKPOINT, EventError, Events, Integrator, Sample,
-    SampleOf, StepError,
+    AnyState, AnyWorkspace, CHECKPOINT, EventError, Events, Integrator, Sample, SampleOf, StepError,
 };
 use heavytop::Section;
 use heavytop::methods::attitude_of;
-use lie_poisson::{Se3Dual, State, Vector};
+use lie_poisson::Se3Dual;
 
 /// A motion of a top with its attitude, which is in the last four coordinates of the states. It remembers its last step.
 pub(crate) struct Motion {
-    integrator: AnyIntegrator,
+    integrator: Damped,
     state: AnyState,
     before: Option<AnyState>,
     workspace: AnyWorkspace,
@@ -21,21 +21,22 @@ pub(crate) struct Motion {
 }
 
 impl Motion {
-    pub(crate) fn new(integrator: AnyIntegrator, state: AnyState) -> Self {
-        let [workspace, aside] = [(); 2].map(|()| Integrator::<f64>::workspace(&integrator));
+    pub(crate) fn new(integrator: Damped, state: AnyState) -> Self {
+        let [workspace, aside] = [(); 2].map(|()| integrator.workspace());
         Self { integrator, state, before: None, workspace, aside, made: 0 }
     }
 
     /// Makes one step of the motion, the one that a [`Trajectory`](collective_integrators::Trajectory) makes, to the last
-    /// bit. The state is not changed by a step that fails.
-    pub(crate) fn advance(&mut self, step: f64) -> Result<(), StepError> {
+    /// bit. The state is not changed by a step that fails. Returns what the friction has done.
+    pub(crate) fn advance(&mut self, step: f64) -> Result<Option<Frictions>, StepError> {
         if self.made.is_multiple_of(CHECKPOINT) {
-            Integrator::<f64>::forget(&self.integrator, &mut self.workspace);
+            self.integrator.forget(&mut self.workspace);
         }
-        let next = self.integrator.step(&self.state, step, &mut self.workspace)?;
+        let (next, frictions) =
+            self.integrator.step_with_friction(&self.state, step, &mut self.workspace)?;
         self.before = Some(std::mem::replace(&mut self.state, next.point));
         self.made = self.made.saturating_add(1);
-        Ok(())
+        Ok(frictions)
     }
 
     /// Returns the snapshot after the last step.
@@ -43,13 +44,14 @@ impl Motion {
         self.snapshot(&self.state)
     }
 
-    /// Returns the snapshot a time τ after the beginning of the last step, or `None` if there was no step or if the
-    /// step of this size fails.
-    pub(crate) fn within(&mut self, tau: f64) -> Option<Snapshot> {
+    /// Returns the snapshot a time τ after the beginning of the last step, and what the friction has done until then, or
+    /// `None` if there was no step or if the step of this size fails.
+    pub(crate) fn within(&mut self, tau: f64) -> Option<(Snapshot, Option<Frictions>)> {
         let before = self.before.as_ref()?;
-        Integrator::<f64>::forget(&self.integrator, &mut self.aside);
-        let part = self.integrator.step(before, tau, &mut self.aside).ok()?.point;
-        Some(self.snapshot(&part))
+        self.integrator.forget(&mut self.aside);
+        let (part, frictions) =
+            self.integrator.step_with_friction(before, tau, &mut self.aside).ok()?;
+        Some((self.snapshot(&part.point), frictions))
     }
 
     /// Returns the state in which the last step, of this size, crosses the section.
@@ -59,7 +61,7 @@ impl Motion {
         step: f64,
     ) -> Result<Option<Se3Dual>, EventError> {
         let Some(before) = &self.before else { return Ok(None) };
-        let sample = |made: u64, time: f64, state: &AnyState| -> SampleOf<AnyIntegrator> {
+        let sample = |made: u64, time: f64, state: &AnyState| -> SampleOf<Damped> {
             let momentum = self.integrator.momentum(state);
             Sample { step: made, time, state: state.clone(), momentum, iterations: 0 }
         };
@@ -79,9 +81,4 @@ impl Motion {
         let mu = momentum(&self.integrator.momentum(state));
         Snapshot::new(mu, attitude_of(state.as_slice()))
     }
-}
-
-/// Returns (Π, Γ) of its coordinates.
-fn momentum(mu: &AnyState) -> Se3Dual {
-    Se3Dual::from_coordinates(|i| mu.coordinate(i))
 }

@@ -1,16 +1,18 @@
 //! The methods of the page: [`PageMethod`].
 
 use crate::error::PageError;
+use crate::motions::damped::Damped;
 use crate::motions::direct_with_attitude::DirectWithAttitude;
+use crate::motions::friction::Friction;
 use crate::motions::motion::Motion;
 use crate::motions::snapshot::Snapshot;
 use collective_integrators::{
-    AnyIntegrator, AnyState, Composition, RungeKutta, Splitting, Start, StepError, Substeps,
+    AnyIntegrator, Composition, RungeKutta, Splitting, Start, StepError, Substeps,
 };
 use heavytop::{
     HeavyTop, RotorSplitting, SymmetricTopSplitting, TopMidpoint, Turning, WithAttitude,
 };
-use lie_poisson::{InstructionSet, Pair, Se3Dual, State, Vector};
+use lie_poisson::{InstructionSet, Pair, Se3Dual, Vector};
 
 /// A method that the page offers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,18 +67,23 @@ impl PageMethod {
         }
     }
 
-    /// Starts a motion of the top, with portable instructions.
+    /// Starts a motion of the top, with portable instructions, and with a friction of the coefficient c, N m s.
     ///
     /// # Errors
-    /// Returns [`PageError`] if a number is not finite, if Γ = 0, or if there is no Gauss method with these stages.
-    pub(crate) fn motion(self, top: &HeavyTop, from: &Snapshot) -> Result<Motion, PageError> {
+    /// Returns [`PageError`] if a number is not finite, if Γ = 0, if the friction is negative, or if there is no Gauss
+    /// method with these stages.
+    pub(crate) fn motion(
+        self,
+        top: &HeavyTop,
+        friction: f64,
+        from: &Snapshot,
+    ) -> Result<Motion, PageError> {
         let start = Pair(from.momentum, from.attitude);
         StepError::check_start(&start, 1.0).map_err(|error| PageError::of_step(0, 0.0, error))?;
-        let integrator = self.integrator(top)?;
-        let mut state = integrator.start(&AnyState::of(&from.momentum))?;
-        let first = state.dimension().saturating_sub(ATTITUDE);
-        (0..ATTITUDE).for_each(|i| state.set_coordinate(first + i, from.attitude.coordinate(i)));
-        Ok(Motion::new(integrator, state))
+        let friction = Friction::new(top, friction)?;
+        let damped = Damped { method: self.integrator(top)?, friction };
+        let state = damped.state(&from.momentum, &from.attitude)?;
+        Ok(Motion::new(damped, state))
     }
 
     /// Returns the integrator with the attitude. It is made of its own type and not by a
@@ -96,9 +103,8 @@ impl PageMethod {
     }
 }
 
-/// The number of coordinates of (Π, Γ), and of the attitude, which come last in a state.
+/// The number of coordinates of (Π, Γ).
 const DIMENSION: usize = 6;
-const ATTITUDE: usize = 4;
 
 /// Returns an integrator that computes the attitude.
 fn turning<I>(integrator: I) -> AnyIntegrator

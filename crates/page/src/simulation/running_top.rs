@@ -1,6 +1,7 @@
 //! A top that moves while its method and its step change: [`Simulation`].
 
 use crate::error::PageError;
+use crate::motions::damped::Frictions;
 use crate::motions::motion::Motion;
 use crate::motions::page_method::PageMethod;
 use crate::motions::snapshot::Snapshot;
@@ -22,6 +23,8 @@ use lie_poisson::Se3Dual;
 pub struct Simulation {
     top: HeavyTop,
     method: PageMethod,
+    /// The coefficient c of the friction, N m s.
+    friction: f64,
     clock: Clock,
     motion: Motion,
     measurement: Measurement,
@@ -29,7 +32,8 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// Throws a top from (Π, Γ), with the shortest attitude that has this vertical. Its section is that at Γ₃ = 0.
+    /// Throws a top without friction from (Π, Γ), with the shortest attitude that has this vertical. Its section is that at
+    /// Γ₃ = 0.
     ///
     /// # Errors
     /// Returns [`PageError`] if a number is not finite, if Γ = 0, if the step is not positive, or if a thin rod has an
@@ -42,10 +46,11 @@ impl Simulation {
     ) -> Result<Self, PageError> {
         top.require_state(start)?;
         let clock = Clock::new(positive(step)?);
-        let motion = method.motion(&top, &upright(start))?;
+        let friction = 0.0;
+        let motion = method.motion(&top, friction, &upright(start))?;
         let measurement = Measurement::new(&top, start, 0.0)?;
         let section = section(&top, &measurement, Coordinate::Gamma3).map(SectionRecord::new);
-        Ok(Self { top, method, clock, motion, measurement, section })
+        Ok(Self { top, method, friction, clock, motion, measurement, section })
     }
 
     /// Replaces the method, from a time within the last step on.
@@ -53,11 +58,40 @@ impl Simulation {
     /// # Errors
     /// Returns [`PageError`] if the new method has no state for the moment. The old method stays.
     pub fn change_method(&mut self, method: PageMethod, time: f64) -> Result<(), PageError> {
-        let moment = self.at(time);
-        self.motion = method.motion(&self.top, &moment)?;
-        self.method = method;
+        self.go_on(method, self.friction, time)
+    }
+
+    /// Replaces the coefficient c of the friction, N m s, from a time within the last step on. The torque is −c Ω in the
+    /// body frame.
+    ///
+    /// # Errors
+    /// Returns [`PageError::Friction`] if c is negative, or if c/I is not finite. The old friction stays.
+    pub fn change_friction(&mut self, friction: f64, time: f64) -> Result<(), PageError> {
+        match friction == self.friction {
+            true => Ok(()),
+            false => self.go_on(self.method, friction, time),
+        }
+    }
+
+    /// Goes on from a time within the last step with a method and a friction.
+    fn go_on(&mut self, method: PageMethod, friction: f64, time: f64) -> Result<(), PageError> {
+        let within = self.within(time);
+        let moment = within.map_or_else(|| self.motion.now(), |(moment, _)| moment);
+        let motion = method.motion(&self.top, friction, &moment)?;
+        if let Some((moment, frictions)) = within {
+            self.measurement.go_back(&moment.momentum, frictions, time)?;
+        }
+        (self.motion, self.method, self.friction) = (motion, method, friction);
         self.clock.go_back(time);
+        self.leave_level();
         Ok(())
+    }
+
+    /// Forgets the invariant that holds on Π·Γ = 0 alone, which a friction leaves.
+    fn leave_level(&mut self) {
+        if self.friction > 0.0 {
+            self.measurement.keep_general();
+        }
     }
 
     /// Replaces the step size, s.
@@ -87,9 +121,10 @@ impl Simulation {
         let record = self.section.as_mut().map_err(|error| *error)?;
         let start = record.begin_orbit(x, y)?;
         let measurement = Measurement::new(&self.top, &start, 0.0)?;
-        self.motion = self.method.motion(&self.top, &upright(&start))?;
+        self.motion = self.method.motion(&self.top, self.friction, &upright(&start))?;
         self.measurement = measurement;
         self.clock = Clock::new(self.clock.step());
+        self.leave_level();
         Ok(())
     }
 
@@ -99,7 +134,8 @@ impl Simulation {
     /// Returns [`PageError::NotFinite`] if an invariant is too large for a number.
     pub fn measure_anew(&mut self) -> Result<(), PageError> {
         let now = self.motion.now().momentum;
-        self.measurement = Measurement::new(&self.top, &now, self.time())?;
+        self.measurement = self.measurement.anew(&now, self.time())?;
+        self.leave_level();
         Ok(())
     }
 
@@ -119,9 +155,10 @@ impl Simulation {
     fn make_step(&mut self) -> Result<(), PageError> {
         let (start, step) = (self.time(), self.clock.step());
         let made = self.motion.advance(step);
-        made.map_err(|error| PageError::of_step(self.clock.total(), start, error))?;
+        let frictions =
+            made.map_err(|error| PageError::of_step(self.clock.total(), start, error))?;
         self.clock.advance();
-        self.measurement.measure(&self.motion.now().momentum, self.time())?;
+        self.measurement.measure(&self.motion.now().momentum, frictions, self.time())?;
         if let Ok(record) = &mut self.section
             && let Some(mu) = self.motion.crossing(record.section(), step)?
         {
@@ -134,12 +171,17 @@ impl Simulation {
     ///
     /// Within a step it is found by a step of partial size, with the accuracy of the method.
     pub fn at(&mut self, time: f64) -> Snapshot {
-        let within = if time < self.time() {
-            self.motion.within(self.clock.since_last_step(time))
-        } else {
-            None
-        };
-        within.unwrap_or_else(|| self.motion.now())
+        let within = self.within(time);
+        within.map_or_else(|| self.motion.now(), |(moment, _)| moment)
+    }
+
+    /// Returns the moment at a time within the last step, and what the friction has done in the step until then; `None` for
+    /// later times.
+    fn within(&mut self, time: f64) -> Option<(Snapshot, Option<Frictions>)> {
+        match time < self.time() {
+            true => self.motion.within(self.clock.since_last_step(time)),
+            false => None,
+        }
     }
 }
 
@@ -154,6 +196,12 @@ impl Simulation {
     #[must_use]
     pub fn method(&self) -> PageMethod {
         self.method
+    }
+
+    /// Returns the coefficient c of the friction, N m s.
+    #[must_use]
+    pub fn friction(&self) -> f64 {
+        self.friction
     }
 
     /// Returns the time after the last step, s.
@@ -180,7 +228,15 @@ impl Simulation {
         self.measurement.values()
     }
 
-    /// Returns the values of the invariants minus those at the start, and zeros after them.
+    /// Returns the changes of the invariants by the friction since the start, and zeros after them. Each is the sum of the
+    /// changes where the friction acts in the steps, without an error of the method.
+    #[must_use]
+    pub fn by_friction(&self) -> [f64; MOST_INVARIANTS] {
+        self.measurement.by_friction()
+    }
+
+    /// Returns the values of the invariants minus those at the start, minus their changes by the friction, and zeros after
+    /// them.
     #[must_use]
     pub fn deviations(&self) -> [f64; MOST_INVARIANTS] {
         self.measurement.deviations()

@@ -2,5 +2,6 @@
 
 mod exports;
 mod failures;
+mod friction;
 mod records;
 mod trajectories;

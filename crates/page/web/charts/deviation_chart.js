@@ -24,7 +24,7 @@ class DeviationChart {
     this.margin = { left: 46, right: 12, top: 26, bottom: 36 };
   }
 
-  /** Draws the columns of so many invariants; `changes` are the times at which a method began. */
+  /** Draws the columns of so many invariants; `changes` are the times at which a method or a friction began. */
   draw(all, count, changes) {
     const columns = joined(all);
     const { paint, width, height } = sized(this.canvas);
@@ -56,7 +56,7 @@ class DeviationChart {
   bands(changes) {
     const { paint, margin } = this;
     const bottom = this.height - margin.bottom;
-    changes.forEach(({ time, method }, i) => {
+    changes.forEach(({ time, method, friction }, i) => {
       const from = this.x(Math.max(time, this.begin));
       const to = this.x(Math.min(changes[i + 1]?.time ?? this.end, this.end));
       if (!METHODS[method].poisson) {
@@ -75,7 +75,7 @@ class DeviationChart {
         paint.stroke();
       }
       paint.setLineDash([]);
-      const { label } = METHODS[method];
+      const label = METHODS[method].label + (friction ? ", with friction" : "");
       if (paint.measureText(label).width + 8 < to - from) {
         paint.textAlign = "left";
         paint.textBaseline = "alphabetic";

@@ -5,6 +5,8 @@ const ORBIT_COLORS = ["--third", "--first", "--second", "--momentum", "--tip", "
 const SECTION_HELP = "Each passage is a point; a higher speed fills the section sooner. Click or tap in it, or press “New orbit”, "
   + "to throw the top from another point with the same energy and Π·Γ.";
 
+const SECTION_WITH_FRICTION = "With friction the energy falls, so that the points of an orbit lie on no curve. They move to where the top comes to rest.";
+
 /** The least bound with a short half that is not below. */
 function roundBound(least) {
   const power = 10 ** Math.floor(Math.log10(least || 1));
