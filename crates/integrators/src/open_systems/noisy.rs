@@ -39,9 +39,10 @@ pub type PathAndTime<T> = Pair<Vector1<T>, Vector1<T>>;
 /// The noise of a step h turns the state by about σ√h radians in each of its d directions. The stages are solved as long as
 /// the turns of all directions together are below about three radians: a step fails with the probability that a χ² number
 /// of d degrees is above (3.3/(σ√h))². For a heavy top at a temperature (d = 6) this is about once in a million steps for
-/// σ√h = 0.53, where the first failure came after two million, and once in 10¹⁸ for σ√h = ⅓. So take σ√h ≤ ⅓, and steps in which the motion itself
-/// turns by half a radian at most. Means have errors of a few per cent there, which are proportional to h. To cut the
-/// increments at two or three standard deviations does not make longer steps safe, since many directions add up.
+/// σ√h = 0.53, where the first failure came after two million, and once in 10¹⁸ for σ√h = ⅓.
+/// So take σ√h ≤ ⅓, and steps in which the motion itself turns by half a radian at most. Means have errors of a few per cent
+/// there, which are proportional to h. To cut the increments at two or three standard deviations does not make longer steps
+/// safe, since many directions add up.
 ///
 /// Sources: Milstein, Repin & Tretyakov, SIAM J. Numer. Anal. 40 (2002); Luesink, Ephrati, Cifani & Geurts, *Casimir preserving
 /// stochastic Lie–Poisson integrators*, Adv. Contin. Discrete Models (2024).
