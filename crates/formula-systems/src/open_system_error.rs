@@ -1,7 +1,7 @@
 //! The errors of open systems: [`OpenSystemError`].
 
 use collective_integrators::BrownianError;
-use lie_poisson::{InnerProductError, InputTableError, DissipationError};
+use lie_poisson::{DissipationError, InnerProductError, InputTableError};
 use lie_poisson_formulas::{FormulaError, NameError};
 use thiserror::Error;
 

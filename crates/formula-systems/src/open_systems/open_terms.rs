@@ -3,7 +3,7 @@
 use super::named_inputs::NamedInputs;
 use crate::open_system_error::OpenSystemError;
 use collective_integrators::NoiseRule;
-use lie_poisson::{InnerProduct, IsotropicNoise, DissipationError};
+use lie_poisson::{DissipationError, InnerProduct, IsotropicNoise};
 use lie_poisson_formulas::Formula;
 
 /// What drives, damps, shakes or forces a system, all of it optional:

@@ -22,8 +22,12 @@ pub(super) fn keys_of_open(error: &OpenSystemError) -> Vec<(String, &'static str
         E::NoInnerProduct { .. } => {
             ["damping", "noise"].map(|key| (key.into(), "add inner_product")).to_vec()
         }
-        E::Dissipation(DissipationError::Friction { .. }) => key("damping.friction", "write 0 or more"),
-        E::Dissipation(DissipationError::Temperature { .. }) => key("noise.temperature", "write 0 or more"),
+        E::Dissipation(DissipationError::Friction { .. }) => {
+            key("damping.friction", "write 0 or more")
+        }
+        E::Dissipation(DissipationError::Temperature { .. }) => {
+            key("noise.temperature", "write 0 or more")
+        }
         E::Brownian(BrownianError::Bound { .. }) => key("noise.bound", "write 1 or more"),
         E::Brownian(_) => {
             ["noise.interval", "integrator.step"].map(|key| (key.into(), "")).to_vec()
