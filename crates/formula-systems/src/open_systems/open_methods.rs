@@ -149,7 +149,7 @@ impl OpenSystem {
     /// Returns whether the steps of a method descend to 𝔤∗.
     ///
     /// # Errors
-    /// As [`FormulaSystem::descends`].
+    /// As [`FormulaSystem::descends`](crate::FormulaSystem::descends).
     pub fn descends(&self, method: &Method) -> Result<bool, FormulaSystemError> {
         let algebra = self.base().algebra();
         match (method.formulation(), algebra.verdict(), algebra.family) {
