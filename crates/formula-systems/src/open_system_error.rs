@@ -87,6 +87,25 @@ pub enum OpenSystemError {
         /// The rejected strength.
         strength: f64,
     },
+    /// A parameter or a coordinate has the name of the time.
+    #[error("with forces the name `t` is that of the time: rename the parameter or the coordinate")]
+    TimeName,
+    /// The number of a path is beyond those that are told apart.
+    #[error("the number of a path must be below {most}, it is {path}")]
+    PathNumber {
+        /// The rejected number.
+        path: u64,
+        /// The least number that is too large.
+        most: u64,
+    },
+    /// An interval of the noise is so short that a step has too many of them.
+    #[error("an interval of the noise must be at least {least}, it is {interval}")]
+    ShortInterval {
+        /// The rejected length.
+        interval: f64,
+        /// The least length, a ten-thousandth of a step.
+        least: f64,
+    },
     /// A temperature has no friction to which it belongs.
     #[error(
         "a temperature needs a friction: the strength of the noise is the root of 2 × friction × temperature"

@@ -127,6 +127,9 @@ def test_a_kind_may_have_forces():
         ({"noise": {"strength": 1, "rule": "both"}}, "rule must be one of"),
         ({"noise": {"strength": 1, "bound": 0.5}}, "1 standard deviation or more, it is 0.5"),
         ({"noise": {"strength": 1, "interval": 0}}, "positive number, it is 0"),
+        ({"noise": {"strength": 1, "path": 2**53}}, "must be below 9007199254740992, it is 9007199254740992"),
+        ({"torque": {}}, "torque has no formulas"),
+        ({"drive": {"Pi3": "1"}, "parameters": {"t": 1.0}}, "is that of the time"),
         ({"noise": {"fields": "Pi1"}}, "must be a list of fields"),
         ({"torque": lambda x: x.Pi[:2]}, "must return 3 numbers"),
         ({"torque": "Pi1"}, "must have 3 formulas"),
@@ -149,6 +152,13 @@ def test_what_there_is_not_is_refused_with_a_reason():
     damped = System("so(3)", "Pi3", damping=1)
     with pytest.raises(ValueError, match="path is of systems with noise"):
         damped.solve(SPIN, step=0.1, end=1, path=1)
+    warm = System("so(3)", "Pi3", noise={"strength": 1, "path": 2**53 - 2, "bound": np.inf})
+    with pytest.raises(ValueError, match="below 9007199254740992"):
+        solve_many(warm, np.tile([[1.0], [0], [0]], 3), step=0.1, end=1)
+    with pytest.raises(ValueError, match="must be at least 1e-05"):
+        System("so(3)", "Pi3", noise={"strength": 1, "interval": 1e-6}).solve(SPIN, step=0.1, end=1)
+    with pytest.warns(RuntimeWarning, match="the noise turns the state by about 3.2e-1|a third is safe"):
+        System("so(3)", "Pi3", noise={"strength": 2.0}).solve(SPIN, step=0.1, end=1)
     with pytest.raises(ValueError, match="nothing drives, damps"):
         lyapunov(damped, SPIN, step=0.1, end=1)
     with pytest.raises(ValueError, match="6 rows"):

@@ -30,7 +30,10 @@ impl NamedInputs {
     ) -> Result<Vocabulary, OpenSystemError> {
         let names = self.0.iter().map(|(name, _)| name.as_str());
         let mut coordinates = algebra.coordinates().clone();
-        let wrong = |name: &str, reason| OpenSystemError::InputName { name: name.into(), reason };
+        let wrong = |name: &str, reason| match name {
+            TIME => OpenSystemError::TimeName,
+            _ => OpenSystemError::InputName { name: name.into(), reason },
+        };
         for name in [TIME].into_iter().chain(names) {
             coordinates = coordinates.scalar(name).map_err(|reason| wrong(name, reason))?;
             Vocabulary::new(&coordinates, parameters).map_err(|reason| wrong(name, reason))?;
@@ -45,7 +48,7 @@ impl NamedInputs {
     /// Returns [`OpenSystemError::InputName`] for a name that cannot be one or is there already.
     pub fn frozen(&self, parameters: Parameters) -> Result<Parameters, OpenSystemError> {
         let wrong = |name: &str, reason| OpenSystemError::InputName { name: name.into(), reason };
-        let timed = parameters.number(TIME, 0.0).map_err(|reason| wrong(TIME, reason))?;
+        let timed = parameters.number(TIME, 0.0).map_err(|_| OpenSystemError::TimeName)?;
         self.0.iter().try_fold(timed, |all, (name, table)| {
             let first = table.breakpoints().first().copied().unwrap_or(0.0);
             let value = table.at(first.max(0.0));

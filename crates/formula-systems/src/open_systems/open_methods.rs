@@ -3,6 +3,7 @@
 use super::open_field::{OpenField, Scratch};
 use super::open_integrator::OpenIntegrator;
 use super::open_system::OpenSystem;
+use super::open_terms::NoiseFields;
 use crate::algebras::family::Family;
 use crate::error::FormulaSystemError;
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
@@ -38,6 +39,28 @@ impl OpenSystem {
         }
     }
 
+    /// Returns the angle by which isotropic noise turns the state in a step, σ√h in the direction of the algebra in which it is
+    /// strongest, rad: of algebras whose elements are rotations, in part or all of them. Steps are safe up to a third.
+    #[must_use]
+    pub fn noise_angle(&self, step: f64) -> Option<f64> {
+        let NoiseFields::Isotropic(noise) = &self.terms().noise.as_ref()?.fields else {
+            return None;
+        };
+        let dimension = self.base().algebra().dimension();
+        let turns = match self.base().algebra().family {
+            Family::Rotations | Family::ManyRotations => dimension,
+            Family::Motions => 3,
+            Family::Other => return None,
+        };
+        let mut element = vec![0.0; dimension];
+        let largest = (0..dimension).fold(0.0_f64, |most, k| {
+            let weights: Vec<f64> = (0..dimension).map(|j| f64::from(u8::from(j == k))).collect();
+            noise.inner_product.write_orthonormal(&weights, &mut element);
+            element.iter().take(turns).fold(most, |most, x| most.max(x.abs()))
+        });
+        Some(noise.strength * largest * step.abs().sqrt())
+    }
+
     /// Returns the formulation that suits the system best: direct with a torque or where steps do not descend to 𝔤∗, and
     /// otherwise collective.
     #[must_use]
@@ -61,7 +84,7 @@ impl OpenSystem {
     ) -> Result<Method, FormulaSystemError> {
         let algebra = self.base().algebra();
         let refused = |has: &str| FormulaSystemError::NoMethod {
-            algebra: format!("an open system on {}", algebra.name()),
+            algebra: format!("{} with forces", algebra.name()),
             formulation,
             scheme,
             has: has.into(),

@@ -5,6 +5,12 @@ use crate::open_system_error::OpenSystemError;
 use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::BrownianPaths;
 
+/// The number of paths, which a coordinate of the state tells apart.
+const PATHS: u64 = 1 << 53;
+
+/// The most intervals of the noise in a step, each of which has random numbers of its own.
+const MOST_INTERVALS: f64 = 1e4;
+
 /// A Lie–Poisson system that is driven, damped, noisy or forced, as its [`OpenTerms`] say.
 ///
 /// Without a torque each motion stays on its coadjoint orbit: the Casimirs are conserved, to round-off by the collective
@@ -59,6 +65,13 @@ impl OpenSystem {
         let paths = match &terms.noise {
             None => None,
             Some(noise) => {
+                let (path, least) = (noise.path, step.abs() / MOST_INTERVALS);
+                if path >= PATHS {
+                    return Err(OpenSystemError::PathNumber { path, most: PATHS });
+                }
+                if interval < least {
+                    return Err(OpenSystemError::ShortInterval { interval, least });
+                }
                 let paths = BrownianPaths::new(noise.seed, interval)?;
                 Some(match noise.bound {
                     None => paths,
@@ -81,7 +94,10 @@ impl OpenSystem {
         &self.terms
     }
 
-    /// Returns the system with the path of another number.
+    /// The number of paths of a noise that are told apart.
+    pub const PATHS: u64 = PATHS;
+
+    /// Returns the system with the path of another number, which must be below [`PATHS`](Self::PATHS).
     #[must_use]
     pub fn on_path(self, path: u64) -> Self {
         let noise = self.terms.noise.map(|noise| super::open_terms::NoiseTerms { path, ..noise });

@@ -7,7 +7,7 @@ use crate::realisations::quadratic_momenta::QuadraticMomenta;
 /// An entry (a, i, j, value) of the matrix `S_a`.
 type Entry = (usize, usize, usize, f64);
 
-/// The entries on and above the diagonal of ½ζ†σ_a ζ/2 as forms of the real and imaginary parts (x₁, x₂, y₁, y₂) of a spinor ζ.
+/// The entries on and above the diagonal of ζ†σ_a ζ/4 as forms of the real and imaginary parts (x₁, x₂, y₁, y₂) of a spinor ζ.
 const SPINOR: [Entry; 8] = [
     (0, 0, 1, 0.5),
     (0, 2, 3, 0.5),

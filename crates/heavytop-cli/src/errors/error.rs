@@ -367,7 +367,7 @@ pub enum Error {
     #[error("[sweep]")]
     Sweep(#[from] SweepError),
     /// The Lie–Poisson system that the configuration asks for does not exist.
-    #[error("[system]")]
+    #[error("{}", .0.table())]
     System(#[source] Box<SystemTableError>),
     /// No member of a sweep could be followed.
     #[error("all {members} {nouns} failed; the first: {first}")]

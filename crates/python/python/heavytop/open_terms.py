@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Optional, Union
@@ -51,6 +52,8 @@ class OpenNames:
         if callable(element):
             return trace_element(name, in_time(element), self.names, self.parameters, self.size)
         if isinstance(element, Mapping):
+            if not element:
+                raise ValueError(f"{name} has no formulas")
             every: list[Any] = [0.0] * self.size
             for key, value in element.items():
                 if key not in self.groups:
@@ -163,7 +166,10 @@ def native_noise(names: OpenNames, noise: Mapping[str, Any]) -> _native.Noise:
         if isinstance(fields, (str, Mapping)) or callable(fields):
             raise ValueError(f"fields must be a list of fields, got {fields!r}")
         source = [names.element(f"fields[{k}]", field) for k, field in enumerate(fields)]
-    interval, bound = (None if noise.get(key) is None else real(key, noise[key]) for key in ("interval", "bound"))
+    interval = None if noise.get("interval") is None else real("interval", noise["interval"])
+    bound = None if noise.get("bound") in (None, math.inf) else real("bound", noise["bound"])
+    # None is the bound of the library.
+    bound = math.inf if noise.get("bound") == math.inf else bound
     numbers = (count("seed", noise.get("seed", 1), 0), count("path", noise.get("path", 0), 0), interval, bound)
     rule = choice("rule", noise.get("rule", "together"), ("together", "alternating"))
     return source, numbers, rule == "alternating"

@@ -11,6 +11,7 @@ use crate::runs::interruption::until_interrupted;
 use collective_integrators::{AnyIntegrator, AnyState, CHECKPOINT, Integrator, Start};
 use core::sync::atomic::{AtomicBool, Ordering};
 use heavytop::methods::{Formulation, Method};
+use lie_poisson_formula_systems::{OpenSystem, OpenSystemError};
 use lie_poisson_runs::{Model, RunFailure, Schedule};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::{Bound, FromPyObject, PyRef, PyResult, Python, pyfunction};
@@ -69,6 +70,13 @@ pub fn advance_system<'py>(
     let (method, model) = (system.method(method)?, system.model(step)?);
     model.require_until(end)?;
     let model = &*model;
+    let members = states.as_array().nrows() as u64;
+    if let Some((_, first)) = model.noise()
+        && first.saturating_add(members) > OpenSystem::PATHS
+    {
+        let (path, most) = (first.saturating_add(members), OpenSystem::PATHS);
+        return Err(refused(OpenSystemError::PathNumber { path, most }));
+    }
     let steps = Schedule::new(step, end).map_err(refused)?.steps;
     let starts = states.as_array();
     let starts = starts.outer_iter().map(|row| model.start(&row.to_vec()).map_err(refused));

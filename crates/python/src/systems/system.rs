@@ -49,6 +49,11 @@ type Source = (
     Option<OpenArgument>,
 );
 
+/// Returns the step of a model that makes no steps: that of its noise, or 1.
+fn unit_of(terms: Option<&OpenTerms>) -> f64 {
+    terms.and_then(|terms| terms.noise.as_ref()?.interval).unwrap_or(1.0)
+}
+
 /// Returns the system of a formula without Casimirs, and the formula if it depends on the time or on an input. Of a system without
 /// forces there are no inputs.
 fn of_formula(
@@ -125,7 +130,8 @@ impl System {
                 let own = OpenNames::new(system.algebra().clone(), &inputs, given);
                 let terms = terms(&own.map_err(refused)?, inputs, in_time, open)?;
                 // What does not fit is refused here, whatever the step will be.
-                OpenSystem::new(system.clone(), terms.clone(), 1.0).map_err(refused)?;
+                OpenSystem::new(system.clone(), terms.clone(), unit_of(Some(&terms)))
+                    .map_err(refused)?;
                 Some(terms)
             }
         };
@@ -178,7 +184,7 @@ impl System {
     /// Whether the motion keeps h and each of the Casimirs.
     #[getter]
     fn kept(&self) -> PyResult<Vec<bool>> {
-        let model = self.model(1.0)?;
+        let model = self.model(unit_of(self.terms.as_ref()))?;
         let conserved = model.conserved(&[]);
         Ok(conserved.names().iter().map(|name| conserved.is_kept(name)).collect())
     }
@@ -193,6 +199,7 @@ impl System {
             return Err(PyValueError::new_err(text));
         };
         (noise.path, *source) = (path, path);
+        other.model(unit_of(other.terms.as_ref()))?;
         Ok(other)
     }
 
@@ -248,7 +255,7 @@ impl System {
                 self.system.invariants(state).map_err(refused)
             });
         }
-        let model = self.model(1.0)?;
+        let model = self.model(unit_of(self.terms.as_ref()))?;
         let conserved = model.conserved(&[]);
         self.each(py, &states, width, |i, state| {
             let time = times.as_ref().and_then(|times| times.get(i)).copied().unwrap_or(0.0);
@@ -264,7 +271,7 @@ impl System {
         states: PyReadonlyArray2<'py, f64>,
         time: f64,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let model = self.model(1.0)?;
+        let model = self.model(unit_of(self.terms.as_ref()))?;
         self.each(py, &states, self.system.algebra().dimension(), |_, state| match &model {
             ModelOfRun::Open(open) => open.rate(state, time).map_err(refused),
             _ => self.system.rate(state).map_err(refused),
@@ -367,7 +374,7 @@ impl System {
                 },
             };
             let scheme = scheme.parse().map_err(MethodError::from)?;
-            match self.model(1.0) {
+            match self.model(unit_of(self.terms.as_ref())) {
                 Ok(ModelOfRun::Open(open)) => open.method(formulation, scheme, tolerance),
                 _ => algebra.method(formulation, scheme, tolerance),
             }

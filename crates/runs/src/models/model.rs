@@ -77,6 +77,11 @@ pub trait Model: SystemScales + fmt::Debug + Send + Sync {
         None
     }
 
+    /// Returns the angle by which the noise turns the state in a step, rad, if that is known.
+    fn noise_angle(&self, _step: f64) -> Option<f64> {
+        None
+    }
+
     /// Moves a state of an integrator without attitude so many paths on from the path of the [noise](Self::noise), if there is
     /// noise: for members of an ensemble.
     fn move_path(&self, _state: &mut [f64], _on: u64) {}
@@ -158,6 +163,9 @@ pub trait Model: SystemScales + fmt::Debug + Send + Sync {
     }
 }
 
+/// The largest angle of the noise in a step, rad, without a warning.
+const MOST_NOISE: f64 = 0.35;
+
 impl dyn Model + '_ {
     /// Returns the names of the columns of the coordinates.
     #[must_use]
@@ -204,7 +212,18 @@ impl dyn Model + '_ {
     pub fn accuracy_warning(&self, accuracy: &RunAccuracy) -> Option<String> {
         match self.noise() {
             None => accuracy.warning(),
-            Some(_) => RunAccuracy { error: None, chaos: None, ..*accuracy }.warning(),
+            Some(_) => {
+                let of_noise = self.noise_angle(accuracy.step).filter(|angle| *angle > MOST_NOISE);
+                let of_noise = of_noise.map(|angle| {
+                    format!(
+                        "the noise turns the state by about {angle:.1e} rad in a step, of which a third is safe: means may be \
+                         wrong, and steps may fail; compare with a step of {:.1e} or less",
+                        accuracy.step.abs() * (MOST_NOISE / angle).powi(2)
+                    )
+                });
+                let of_motion = RunAccuracy { error: None, chaos: None, ..*accuracy }.warning();
+                of_noise.or(of_motion)
+            }
         }
     }
 

@@ -37,6 +37,10 @@ impl Model for OpenSystem {
         }
     }
 
+    fn noise_angle(&self, step: f64) -> Option<f64> {
+        OpenSystem::noise_angle(self, step)
+    }
+
     fn move_path(&self, state: &mut [f64], on: u64) {
         OpenSystem::move_path(self, state, on);
     }

@@ -101,6 +101,10 @@ impl Model for OpenTop {
         self.system.order(method)
     }
 
+    fn noise_angle(&self, step: f64) -> Option<f64> {
+        self.system.noise_angle(step)
+    }
+
     fn move_path(&self, state: &mut [f64], on: u64) {
         self.system.move_path(state, on);
     }

@@ -5,6 +5,7 @@ use super::moment::Moment;
 use crate::error::RunFailure;
 use average::{Estimate, Quantile, Variance};
 use collective_integrators::{AnyIntegrator, AnyState, Start};
+use lie_poisson_formula_systems::OpenSystem;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 /// The most numbers of which statistics are kept: rows times columns.
@@ -148,6 +149,12 @@ impl PathEnsemble {
         let reason = match (run.model.noise(), self.paths, run.attitude) {
             (None, ..) => Some("a motion without noise has one path".to_owned()),
             (_, 0 | 1, _) => Some(format!("statistics need 2 paths or more, got {}", self.paths)),
+            (Some((_, first)), paths, _) if first.saturating_add(paths) > OpenSystem::PATHS => {
+                let most = OpenSystem::PATHS;
+                Some(format!(
+                    "the numbers of paths must be below {most}, {paths} from {first} on are not"
+                ))
+            }
             (.., true) => Some("paths have no statistics of attitudes".into()),
             _ => {
                 let wrong = self.quantiles.iter().find(|p| !(**p > 0.0 && **p < 1.0));

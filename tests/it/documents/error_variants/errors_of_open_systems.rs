@@ -36,7 +36,15 @@ pub fn errors() -> Vec<String> {
     let both = OpenTerms { torque: zeros(), ..noisy(1.0, None) };
     let drive = Some(vec![spin.formula("drive", "1").unwrap()]);
     let plane = InnerProduct::new(&[1.0, 0.0, 0.0, 1.0]).unwrap();
+    let numbered = |path, interval| {
+        let noise = noise(1.0, None).map(|noise| NoiseTerms { path, interval, ..noise });
+        open(OpenTerms { noise, ..OpenTerms::default() })
+    };
+    let timed = Parameters::new().number("t", 1.0).unwrap();
     vec![
+        refused(OpenNames::new(algebra("so(3)"), &none(), timed)),
+        refused(numbered(OpenSystem::PATHS, None)),
+        refused(numbered(0, Some(1e-6))),
         refused(names(algebra("so(3)"), inputs("Pi1"))),
         refused(inputs("u").require_until(2.0)),
         refused(spin.formula("torque Pi1", "Pj")),

@@ -35,7 +35,7 @@ fn what_does_not_fit_is_refused_with_its_value() {
         (Texts { torque: Some(vec!["0", "1", "Pi4"]), ..none() }, "Pi4"),
         (Texts { drive: Some(vec!["1"]), ..none() }, "the drive needs 3"),
         (Texts { noise: Some(vec![vec!["1"]]), ..none() }, "field 1 of the noise needs 3"),
-        (Texts { inputs: vec![("t", table())], ..none() }, "the input t"),
+        (Texts { inputs: vec![("t", table())], ..none() }, "is that of the time"),
         (Texts { inputs: vec![("Pi1", table())], ..none() }, "the input Pi1"),
         (Texts { inputs: vec![("u v", table())], ..none() }, "u v"),
         (

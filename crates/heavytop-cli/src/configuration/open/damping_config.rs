@@ -1,14 +1,16 @@
 //! The table `[damping]`: [`DampingConfig`].
 
-use lie_poisson_formula_systems::{Damping, OpenNames, OpenSystemError};
+use crate::errors::{Error, SystemTableError};
+use lie_poisson_formula_systems::{Damping, OpenNames};
 use serde::{Deserialize, Serialize};
 
 /// The table `[damping]`: a double bracket, which lowers the energy and keeps the Casimirs.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct DampingConfig {
     /// The friction θ, at least 0.
-    pub friction: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
     /// The inner product ♯ on the dual of the algebra; the unit matrix where all coordinates are of one vector.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inner_product: Option<InnerProductConfig>,
@@ -34,14 +36,12 @@ impl DampingConfig {
     ///
     /// # Errors
     /// If the inner product is none, or is missing where it needs a choice.
-    pub(super) fn damping(
-        &self,
-        names: &OpenNames,
-        dimension: usize,
-    ) -> Result<Damping, OpenSystemError> {
+    pub(super) fn damping(&self, names: &OpenNames, dimension: usize) -> Result<Damping, Error> {
+        let missing = || SystemTableError::MissingKey { table: "damping".into(), key: "friction" };
+        let friction = self.friction.ok_or_else(missing)?;
         let rows = self.inner_product.as_ref().map(|given| given.rows(dimension));
         let inner_product = names.inner_product(rows.as_deref())?;
-        Ok(Damping { friction: self.friction, inner_product })
+        Ok(Damping { friction, inner_product })
     }
 }
 

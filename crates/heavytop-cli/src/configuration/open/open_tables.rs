@@ -3,7 +3,7 @@
 use super::element::{Element, parts};
 use crate::configuration::Config;
 use crate::errors::{Error, SystemTableError};
-use lie_poisson_formula_systems::{NamedInputs, OpenNames, OpenSystemError, OpenTerms};
+use lie_poisson_formula_systems::{NamedInputs, OpenNames, OpenTerms};
 use lie_poisson_formulas::Formula;
 
 impl Config {
@@ -25,7 +25,9 @@ impl Config {
         let noise = self.noise.as_ref();
         let words = [
             self.drive.as_ref().map(|_| "driven".into()),
-            self.damping.as_ref().map(|damping| format!("friction {}", damping.friction)),
+            self.damping
+                .as_ref()
+                .and_then(|damping| Some(format!("friction {}", damping.friction?))),
             noise.map(|noise| format!("noise of seed {}, path {}", noise.seed, noise.path)),
             self.torque.as_ref().map(|_| "under a torque".into()),
         ];
@@ -46,10 +48,11 @@ impl Config {
     /// # Errors
     /// If one is no table.
     pub(super) fn named_inputs(&self) -> Result<NamedInputs, Error> {
-        let inputs = self.inputs.iter().flatten().map(|(name, input)| {
-            let refused = |reason| OpenSystemError::Input { name: name.clone(), reason };
-            Ok((name.clone(), input.table().map_err(refused)?))
-        });
+        let inputs = self
+            .inputs
+            .iter()
+            .flatten()
+            .map(|(name, input)| Ok((name.clone(), input.table(name)?)));
         Ok(NamedInputs::new(inputs.collect::<Result<_, Error>>()?))
     }
 
@@ -63,8 +66,10 @@ impl Config {
         inputs: NamedInputs,
         hamiltonian: Option<Formula>,
     ) -> Result<OpenTerms, Error> {
-        let element = |what: &str, element: &Option<Element>| {
-            element.as_ref().map(|element| names.element(what, parts(element))).transpose()
+        let element = |what: &'static str, element: &Option<Element>| match element {
+            None => Ok(None),
+            Some(none) if none.is_empty() => Err(SystemTableError::NoForces { table: what }.into()),
+            Some(element) => Ok::<_, Error>(Some(names.element(what, parts(element))?)),
         };
         let damping =
             self.damping.as_ref().map(|damping| damping.damping(names, dimension)).transpose()?;

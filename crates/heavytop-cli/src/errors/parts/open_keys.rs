@@ -10,6 +10,11 @@ pub(super) fn keys_of_open(error: &OpenSystemError) -> Vec<(String, &'static str
     let key = |key: &str, note| vec![(key.to_owned(), note)];
     match error {
         E::InputName { name, .. } => key(&format!("inputs.{name}"), "choose another name"),
+        E::TimeName => ["system.parameters.t", "system.coordinates"]
+            .map(|key| (key.into(), "choose another name"))
+            .to_vec(),
+        E::PathNumber { .. } => key("noise.path", ""),
+        E::ShortInterval { .. } => key("noise.interval", ""),
         E::Input { name, .. } => key(&format!("inputs.{name}"), ""),
         E::Formula { what, .. } | E::Count { what, .. } => keys_of_formula(what),
         E::NoCoordinate { what, name, .. } if !what.contains(' ') => {

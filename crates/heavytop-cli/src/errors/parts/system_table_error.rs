@@ -80,12 +80,26 @@ pub enum SystemTableError {
     },
     /// A command that follows closed systems alone got a table of open ones.
     #[error(
-        "[{table}] is of simulate, events and ensemble: this command follows systems that nothing drives, damps, shakes or \
-         forces"
+        "[{table}] is for tops and systems by formula in simulate, events and ensemble: other commands, and systems of \
+         arrays, have no forces"
     )]
     OpenTable {
         /// The name of the table.
         table: &'static str,
+    },
+    /// A table of formulas has none.
+    #[error("[{table}] has no formulas")]
+    NoForces {
+        /// The name of the table.
+        table: &'static str,
+    },
+    /// A key of a table is missing.
+    #[error("{key} is missing in [{table}]")]
+    MissingKey {
+        /// The name of the table.
+        table: String,
+        /// The key, and what it may be.
+        key: &'static str,
     },
     /// There is no noise in `[noise]`, or more than one.
     #[error(
@@ -120,6 +134,22 @@ pub enum SystemTableError {
 }
 
 impl SystemTableError {
+    /// Returns where the error is: `[system]`, or the tables beside it.
+    #[must_use]
+    pub const fn table(&self) -> &'static str {
+        match self {
+            Self::OpenTable { .. }
+            | Self::NoForces { .. }
+            | Self::MissingKey { .. }
+            | Self::OneNoise
+            | Self::ColumnOfClosed { .. }
+            | Self::OpenRod
+            | Self::TorqueOnVertical
+            | Self::Formula(FormulaSystemError::Open(_)) => "forces",
+            _ => "[system]",
+        }
+    }
+
     /// Returns the keys that may be at fault, the likeliest first, each with what to write there.
     #[must_use]
     pub fn keys(&self) -> Vec<(String, &'static str)> {
@@ -153,9 +183,9 @@ impl SystemTableError {
             Self::SameColumn { .. } => key("system.coordinates", "choose another name"),
             Self::Parameter { table, name, .. } => vec![(format!("system.{table}.{name}"), "")],
             Self::Formula(error) => keys_of(error),
-            Self::OpenTable { table } => {
-                key(table, "remove the table, or use simulate, events or ensemble")
-            }
+            Self::OpenTable { table } => key(table, "remove the table"),
+            Self::NoForces { table } => key(table, "write formulas, or remove the table"),
+            Self::MissingKey { table, .. } => key(table, "add the key"),
             Self::OneNoise => key("noise", "write one of them"),
             Self::ColumnOfClosed { .. } => key("output.columns", "leave it out"),
             Self::OpenRod => key("body.inertia", ""),

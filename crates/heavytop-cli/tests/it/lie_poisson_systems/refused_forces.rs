@@ -32,6 +32,11 @@ fn errors_name_the_value_the_bound_and_the_line() {
             &["temperature = -1", "0 or a positive"],
         ),
         (SPIN, "[noise]\n", &["[noise] has one of temperature"]),
+        (SPIN, "[drive]\n", &["[drive] has no formulas"]),
+        (SPIN, "[torque]\n", &["[torque] has no formulas"]),
+        (SPIN, "[noise]\nstrength = 1\npath = 9007199254740992\n", &["below 9007199254740992"]),
+        (SPIN, "[noise]\nstrength = 1\ninterval = 1e-30\n", &["1e-30", "must be at least 0.00001"]),
+        (SPIN, "[damping]\ninner_product = 1\n", &["friction is missing in [damping]"]),
         (SPIN, "[noise]\nstrength = -2\n", &["it is -2"]),
         (SPIN, "[noise]\nstrength = 1\nbound = 0.5\n", &["0.5", "1 standard deviation or more"]),
         (SPIN, "[noise]\nstrength = 1\nseed = -1\n", &["seed"]),
@@ -64,7 +69,7 @@ fn errors_name_the_value_the_bound_and_the_line() {
         (
             SPIN,
             "[inputs.t]\ntimes = [0, 20]\nvalues = [0, 1]\ninterpolation = 'cubic'\n",
-            &["the input t"],
+            &["is that of the time"],
         ),
         (
             TOP,
@@ -112,7 +117,7 @@ fn commands_of_closed_systems_say_which_table_they_do_not_take() {
         let table = if arguments[1] == "top.toml" { "[torque]" } else { "[damping]" };
         assert!(
             done.code() == 2
-                && done.stderr().contains(&format!("{table} is of simulate, events and ensemble")),
+                && done.stderr().contains(&format!("{table} is for tops and systems by formula")),
             "{arguments:?}: {}",
             done.stderr()
         );

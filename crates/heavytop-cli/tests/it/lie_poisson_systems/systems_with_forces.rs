@@ -82,6 +82,18 @@ fn time_in_a_formula_is_the_time() {
     assert!((row[3] - 1.0).abs() < 1e-10, "{row:?}");
 }
 
+/// A key of a table on the command line is put over that of the file.
+#[test]
+fn keys_of_inputs_are_assigned_one_by_one() {
+    let folder = Folder::new();
+    let input = "[inputs.u]\ntimes = [0, 10]\nvalues = [1, 1]\ninterpolation = 'linear'\n[drive]\nPi = [0, 0, 'u']\n";
+    let still = SPIN.replace("parameters.B = 2", "parameters.B = 0") + input;
+    let (_, row) = last(&folder, &still, &["--set", "inputs.u.values=[0.5, 0.5]"]);
+    assert!((row[1] - 5.0_f64.cos()).abs() < 1e-9, "{row:?}");
+    let (_, row) = last(&folder, &still, &["--set", "inputs.u.interpolation=cubic"]);
+    assert!((row[1] - 10.0_f64.cos()).abs() < 1e-9, "{row:?}");
+}
+
 #[test]
 fn inputs_by_tables_drive_a_spin_by_their_integral() {
     let folder = Folder::new();
@@ -200,6 +212,13 @@ fn an_ensemble_has_means_with_errors_and_quantiles() {
     }
     let place = header.iter().position(|name| name == "Pi3_mean").unwrap();
     assert!((rows[4][place] - sum / 60.0).abs() < 1e-13);
+    // Steps of noise that are too long are told, and numbers of paths that are not told apart are refused.
+    let set = ["--set", "noise.temperature=20", "--paths", "2", "--out", "long.csv"];
+    let told = folder.heavytop(&[&options[..], &set].concat()).stderr();
+    assert!(told.contains("the noise turns the state by about 1.4e0 rad in a step"), "{told}");
+    let set = ["--set", "noise.path=9007199254740990", "--paths", "3", "--out", "no.csv"];
+    let told = folder.heavytop(&[&options[..], &set].concat()).stderr();
+    assert!(told.contains("must be below 9007199254740992"), "{told}");
     // Refusals name the bound, and leave nothing.
     for (more, part) in [
         (["--paths", "1"], "2 paths or more, got 1"),

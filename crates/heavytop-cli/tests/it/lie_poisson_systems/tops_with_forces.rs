@@ -39,7 +39,7 @@ fn without_a_torque_it_is_the_top() {
         let (_, header, expected) = rows(&folder, &top);
         for table in [
             "[torque]\nPi = [0, 0, 0]\n",
-            "[drive]\n",
+            "[drive]\nPi = [0, 0, 0]\n",
             "[noise]\nstrength = 0\ninner_product = 1\n",
         ] {
             let (told, names, found) = rows(&folder, &format!("{top}{table}"));

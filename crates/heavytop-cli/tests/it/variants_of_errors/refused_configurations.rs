@@ -19,7 +19,7 @@ const ASSIGNMENTS: [(&str, &str); 4] = [
 ];
 
 /// Configurations of runs of tops.
-const RUNS: [(&str, &str); 18] = [
+const RUNS: [(&str, &str); 20] = [
     ("Error::Body", "body.mass = -1"),
     ("Error::Vertical", "initial.vertical = [0, 0, 2]"),
     ("Error::Spin", "body = { inertia = [2, 2, 0], center_of_mass = [0, 0, 1] }"),
@@ -38,6 +38,8 @@ const RUNS: [(&str, &str); 18] = [
     ("Error::Run", "integrator.step = 1e-300"),
     ("Error::Run", "integrator.step = 0.03"),
     ("SystemTableError::OneNoise", "[noise]"),
+    ("SystemTableError::NoForces", "[torque]"),
+    ("SystemTableError::MissingKey", "[damping]"),
     ("SystemTableError::ColumnOfClosed", "output.columns = ['Omega']\n[torque]\nPi = [1, 0, 0]"),
     (
         "SystemTableError::OpenRod",
