@@ -95,10 +95,12 @@ impl NoiseRule {
         weights: &mut [T],
     ) -> usize {
         let fields = weights.len();
+        // In a step of size 0 there is no noise.
+        let reciprocal = if step == 0.0 { 0.0 } else { step.recip() };
         match (self, increments.split_last()) {
             (Self::Together, _) => {
                 for (weight, increment) in weights.iter_mut().zip(increments) {
-                    *weight = *increment / step;
+                    *weight = *increment * reciprocal;
                 }
                 fields
             }
@@ -106,10 +108,10 @@ impl NoiseRule {
                 let (none, k, reversed) = (T::zero(), number - 1, fields - number);
                 weights.fill(none);
                 // Lanes may go through the fields in different orders.
-                weights[k] = coin.select_nonnegative(increments[k], none) / step;
+                weights[k] = coin.select_nonnegative(increments[k], none) * reciprocal;
                 weights[reversed] = match k == reversed {
-                    true => increments[k] / step,
-                    false => coin.select_nonnegative(none, increments[reversed]) / step,
+                    true => increments[k] * reciprocal,
+                    false => coin.select_nonnegative(none, increments[reversed]) * reciprocal,
                 };
                 fields
             }

@@ -92,7 +92,10 @@ fn write_increments<T: Real>(
         let first = lanes.len();
         lanes.resize(first + count, 0.0);
         let lane = lanes.get_mut(first..).unwrap_or_default();
-        paths.write_increments(path as u64, clock + from, clock + to, lane);
+        match path.is_finite() {
+            true => paths.write_increments(path as u64, clock + from, clock + to, lane),
+            false => lane.fill(f64::NAN),
+        }
         0.0
     };
     let zero = path.lane_by_lane(clock, &mut begin);

@@ -189,6 +189,12 @@ impl<H: SitesHamiltonian<Vector3<f64>>> Integrator for LangevinSpins<H> {
         step: f64,
         space: &mut LangevinWorkspace,
     ) -> Result<usize, StepError> {
+        if !step.is_finite() {
+            return Err(StepError::StepSize { step });
+        }
+        if !state.1.is_finite() {
+            return Err(StepError::NotFinite);
+        }
         self.prepare(state, step, space);
         let spins = &state.0.0;
         let iterations = self.solver.solve_by_sweeps(|| self.sweep(spins, step, space))?;

@@ -58,7 +58,9 @@ impl SiteConstants {
         let [factor, friction] = damping.constants(spin.norm());
         // Roots of both, since the product may overflow.
         let strength = 2.0_f64.sqrt() * friction.sqrt() * temperature.sqrt();
-        let noise = increments * (strength / step);
+        // In a step of size 0 there is no noise.
+        let rate = if step == 0.0 { 0.0 } else { strength / step };
+        let noise = increments * rate;
         Self { factor, friction, noise, omega: Vector3::zeros() }
     }
 

@@ -2,7 +2,7 @@
 
 use super::support::{Axial, isotropic, langevin, on_path};
 use collective_integrators::{
-    BrownianPaths, Ensemble, Integrator, Laned, NoiseRule, Noisy, RungeKutta, Start,
+    BrownianPaths, Ensemble, Integrator, Laned, NoiseRule, Noisy, RungeKutta, Start, laws,
 };
 use lie_poisson::{Automatic, Covector, Energy, LiePoisson, Pair, Point, Real, So3};
 use momentum_map::HOPF;
@@ -129,5 +129,22 @@ fn poles_are_at_rest_at_temperature_zero() {
         };
         assert!((end(0.0) - pole).norm() < 1e-13);
         assert!((end(1e-3) - pole).norm() > 1e-3);
+    }
+}
+
+/// A step of size 0 has no noise, resumption and forgetting keep the bits, and what is not a number is refused, also as the number of
+/// a path.
+#[test]
+fn noisy_motions_obey_the_laws_of_integrators() {
+    for rule in [NoiseRule::Together, NoiseRule::Alternating] {
+        let h = (HOPF, LiePoisson::minus(So3), Automatic(Cubic));
+        let spin = langevin(h, (0.3, 0.7), paths(1)).with_rule(rule);
+        let state = spin.start(&on_path(start(), 3)).unwrap();
+        laws::integrator(&spin, &[state], STEP).unwrap().check(1e-13).unwrap();
+        // Control: another path is another step.
+        let other = spin.start(&on_path(start(), 4)).unwrap();
+        let [one, two] =
+            [state, other].map(|z| spin.step(&z, STEP, &mut spin.workspace()).unwrap().point);
+        assert_ne!(one.0, two.0);
     }
 }

@@ -7,21 +7,21 @@ use crate::law_samples::{
     Spins as Lattice, samples, spiral,
 };
 use lie_poisson_systems::collective_integrators::{
-    Collective, Integrator, RungeKutta, SphericalMidpoint, Start, laws,
+    BrownianPaths, Collective, Integrator, PathAndTime, RungeKutta, SphericalMidpoint, Start, laws,
 };
 use lie_poisson_systems::lie_poisson::laws::{hamiltonian, poisson_space, sites_hamiltonian};
 use lie_poisson_systems::lie_poisson::{
-    Automatic, Covector, Energy, Hamiltonian, LiePoisson, Point, PowerAlgebra, ProductSpace,
+    Automatic, Covector, Energy, Hamiltonian, LiePoisson, Pair, Point, PowerAlgebra, ProductSpace,
     RealSpace, Sign, SitesHamiltonian, So3,
 };
 use lie_poisson_systems::momentum_map::laws::{lift, poisson_map};
 use lie_poisson_systems::momentum_map::{
     CotangentBundle, Identity, PowerMap, ProductMap, QuadraticMomentumMap, Side, So3OnC2,
 };
-use lie_poisson_systems::nalgebra::Vector3;
+use lie_poisson_systems::nalgebra::{Vector1, Vector3};
 use lie_poisson_systems::{
-    HeisenbergChain, HeisenbergLattice, LatticeMidpoint, SpinLattice, SpinLatticeSpace, SpinSpace,
-    Spins,
+    HeisenbergChain, HeisenbergLattice, LangevinSpins, LatticeMidpoint, SpinDamping, SpinLattice,
+    SpinLatticeSpace, SpinSpace, Spins,
 };
 
 /// The map onto N spins with the plus bracket.
@@ -163,6 +163,22 @@ fn lattice_midpoint_laws() {
     for cells in CELLS {
         let (lattice, s) = large(cells);
         obeys_as_midpoint(LatticeMidpoint::new(lattice.clone()), &lattice, &[s]);
+    }
+}
+
+#[test]
+fn langevin_spins_laws() {
+    for cells in [[1, 1, 1], [3, 2, 1]] {
+        let (lattice, s) = large(cells);
+        let paths = BrownianPaths::new(3, SHORT_STEP).unwrap();
+        let damping = SpinDamping::LandauLifshitz(0.4);
+        let langevin = LangevinSpins::new(lattice, damping, 0.3, paths).unwrap();
+        let starts = [Pair(s, Pair(Vector1::new(5.0), Vector1::new(0.0)))];
+        obeys(&langevin, ("step", 0), ROUND_OFF, |i| laws::integrator(i, &starts, SHORT_STEP));
+        let length = |Pair(s, _): &Pair<Lattice, PathAndTime<f64>>| s.0[0].norm();
+        obeys(&langevin, ("step", 0), ROUND_OFF_OF_RUNS, |i| {
+            laws::invariants(i, &starts, SHORT_STEP, &[&length])
+        });
     }
 }
 
