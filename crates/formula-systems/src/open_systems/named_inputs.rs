@@ -8,7 +8,7 @@ use lie_poisson_formulas::{Parameters, Vocabulary};
 /// The name of the time in formulas.
 pub(crate) const TIME: &str = "t";
 
-/// NamedInputs u(t) by tables, whose names formulas may use beside the coordinates and the time `t`.
+/// Inputs u(t) by tables, whose names formulas may use beside the coordinates and the time `t`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NamedInputs(Vec<(String, InputTable)>);
 

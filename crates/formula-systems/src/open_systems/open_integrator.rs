@@ -134,7 +134,9 @@ impl<T: Real> Integrator<T> for OpenIntegrator {
             |window, part| {
                 let field = OpenField { system: &self.system, momenta, part, window, scratch };
                 // The noise before says nothing about that of this part.
-                self.scheme.forget(scheme);
+                if self.system.paths().is_some() {
+                    self.scheme.forget(scheme);
+                }
                 self.scheme.step_in_place(&field, &mut point, part.step, scheme)
             },
         )?;

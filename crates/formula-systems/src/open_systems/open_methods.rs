@@ -39,8 +39,9 @@ impl OpenSystem {
         }
     }
 
-    /// Returns the angle by which isotropic noise turns the state in a step, σ√h in the direction of the algebra in which it is
-    /// strongest, rad: of algebras whose elements are rotations, in part or all of them. Steps are safe up to a third.
+    /// Returns the angle by which isotropic noise turns the state in a step h, rad: the largest σ√(h ♯_ii) of the coordinates i that
+    /// are rotations. There is none of other noise, and of algebras whose coordinates are not known to be rotations. Steps are
+    /// safe up to a third.
     #[must_use]
     pub fn noise_angle(&self, step: f64) -> Option<f64> {
         let NoiseFields::Isotropic(noise) = &self.terms().noise.as_ref()?.fields else {
@@ -52,13 +53,14 @@ impl OpenSystem {
             Family::Motions => 3,
             Family::Other => return None,
         };
-        let mut element = vec![0.0; dimension];
-        let largest = (0..dimension).fold(0.0_f64, |most, k| {
-            let weights: Vec<f64> = (0..dimension).map(|j| f64::from(u8::from(j == k))).collect();
-            noise.inner_product.write_orthonormal(&weights, &mut element);
-            element.iter().take(turns).fold(most, |most, x| most.max(x.abs()))
+        let (mut covector, mut sharp) = (vec![0.0; dimension], vec![0.0; dimension]);
+        let largest = (0..turns).fold(0.0_f64, |most, i| {
+            covector.fill(0.0);
+            covector[i] = 1.0;
+            noise.inner_product.write_sharp(&covector, &mut sharp);
+            most.max(sharp[i])
         });
-        Some(noise.strength * largest * step.abs().sqrt())
+        Some(noise.strength * largest.sqrt() * step.abs().sqrt())
     }
 
     /// Returns the formulation that suits the system best: direct with a torque or where steps do not descend to 𝔤∗, and

@@ -4,7 +4,7 @@ use super::experiment::Experiment;
 use super::moment::Moment;
 use crate::error::RunFailure;
 use average::{Estimate, Quantile, Variance};
-use collective_integrators::{AnyIntegrator, AnyState, Start};
+use collective_integrators::{AnyIntegrator, AnyState, RunError, Start};
 use lie_poisson_formula_systems::OpenSystem;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
@@ -116,12 +116,15 @@ impl PathEnsemble {
         let one = Streamed { variance: Variance::new(), quantiles };
         let mut all = vec![one; rows * width];
         let mut times = Vec::new();
+        // All paths have one integrator, and one lift of the start.
+        let (integrator, start) = run.begin()?;
+        let state = integrator.start(&start).map_err(RunError::from)?;
+        let path_of = |path| follow_path(run, &integrator, (state.clone(), start.clone()), path);
         let together = (MOST_WAITING / (all.len() as u64).max(1)).clamp(1, MOST_TOGETHER);
         let mut done = 0;
         while done < self.paths {
             let next = done.saturating_add(together).min(self.paths);
-            let paths: Vec<_> =
-                (done..next).into_par_iter().map(|path| path_of(run, path)).collect();
+            let paths: Vec<_> = (done..next).into_par_iter().map(path_of).collect();
             for (path, numbers) in (done..next).zip(paths) {
                 let failed = |reason| RunFailure::Path { path, reason: Box::new(reason) };
                 let (at, numbers) = numbers.map_err(failed)?;
@@ -174,11 +177,12 @@ impl PathEnsemble {
 }
 
 /// Returns the times of the rows of a path, and their numbers without the times.
-fn path_of(run: &Experiment, path: u64) -> Result<(Vec<f64>, Vec<f64>), RunFailure> {
-    let (integrator, start) = run.begin()?;
-    let integrator: &AnyIntegrator = &integrator;
-    let mut state: AnyState =
-        integrator.start(&start).map_err(collective_integrators::RunError::from)?;
+fn follow_path(
+    run: &Experiment,
+    integrator: &AnyIntegrator,
+    (mut state, start): (AnyState, AnyState),
+    path: u64,
+) -> Result<(Vec<f64>, Vec<f64>), RunFailure> {
     run.model.move_path(state.as_mut_slice(), path);
     let (mut times, mut numbers) = (Vec::new(), Vec::new());
     run.follow_state(integrator, (state, start), |moment: &Moment<'_>| {

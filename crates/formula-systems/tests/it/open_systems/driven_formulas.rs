@@ -117,12 +117,11 @@ fn steps_end_where_an_input_jumps() {
     let spin = open("so(3)", "u*Pi3", &texts, 0.4).unwrap();
     // dΠ/dt = Π × u e₃: Π turns by −∫u.
     let angle = -(0.25 - 2.0 * 0.75 + 3.0);
-    for scheme in ["gauss-8", "implicit-midpoint"] {
-        let end = after(&spin, ("collective", scheme), &[1.0, 0.0, 0.0], 0.4, 5);
-        let error = (end[1].atan2(end[0]) - angle).abs();
-        let most = if scheme == "gauss-8" { 1e-5 } else { 0.3 };
-        assert!(error < most, "{scheme}: {error}");
-    }
+    let end = after(&spin, ("collective", "gauss-8"), &[1.0, 0.0, 0.0], 0.4, 5);
+    let error = (end[1].atan2(end[0]) - angle).abs();
+    // Gauss's method of order 8 turns a spinor by the Padé approximant (4, 4) of a phase x, whose error is 3.9e-8 x⁹. The largest
+    // part of a step turns the spin by 2x = 1.2 rad, and there are seven parts.
+    assert!(error < 1e-8, "{error}");
     // At the order of the method, although no step is as short as the pulses are.
     let errors = [0.4, 0.2, 0.1].map(|step| {
         let spin = open("so(3)", "u*Pi3", &texts, step).unwrap();
@@ -181,9 +180,15 @@ fn the_clock_counts_whole_intervals() {
 
 #[test]
 fn a_run_that_is_resumed_is_the_same_one() {
-    let system =
-        open("se(3)", "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2 + cos(t)*Gamma1", &Texts::default(), 0.1)
-            .unwrap();
+    let field = vec!["0.1", "0", "0.2", "0", "0", "0.1"];
+    let noise = Texts { noise: Some(vec![field]), ..Texts::default() };
+    resumed_is_the_same(&Texts::default());
+    resumed_is_the_same(&noise);
+}
+
+fn resumed_is_the_same(texts: &Texts) {
+    let h = "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2 + cos(t)*Gamma1";
+    let system = open("se(3)", h, texts, 0.1).unwrap();
     let start = AnyState::from_slice(&[0.6, -0.5, 1.2, 0.6, 0.0, 0.8]);
     let integrator = system
         .tangent_integrator(&method(&system, "collective", "gauss-6"), start.as_slice())
