@@ -181,20 +181,15 @@ impl<H: SitesHamiltonian<Vector3<f64>>> Integrator for LangevinSpins<H> {
     ///
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the implicit equation is not solved, as with a step that is too long, or a
-    /// state with another number of spins than the Hamiltonian has; and [`StepError::NotFinite`]. In these cases the
-    /// state is not changed.
+    /// state with another number of spins than the Hamiltonian has; those of [`StepError::check_start`] for the step, the path
+    /// and the time; and [`StepError::NotFinite`]. In these cases the state is not changed.
     fn step_in_place(
         &self,
         state: &mut SpinsOnPath,
         step: f64,
         space: &mut LangevinWorkspace,
     ) -> Result<usize, StepError> {
-        if !step.is_finite() {
-            return Err(StepError::StepSize { step });
-        }
-        if !state.1.is_finite() {
-            return Err(StepError::NotFinite);
-        }
+        StepError::check_start(&state.1, step)?;
         self.prepare(state, step, space);
         let spins = &state.0.0;
         let iterations = self.solver.solve_by_sweeps(|| self.sweep(spins, step, space))?;
