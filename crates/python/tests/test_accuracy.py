@@ -54,6 +54,25 @@ def test_the_fastest_of_many_runs_is_measured():
         heavytop.solve_many([TOP] * 20, states, step=0.01, end=0.1)
 
 
+def test_an_estimate_may_be_left_out():
+    """The run is the same, and a step that turns the motion too far is still warned of."""
+    times = np.linspace(0, 10, 101)
+    for solve in [
+        lambda **more: TOP.solve(**START, step=0.1, end=20, **more),
+        lambda **more: BODY.solve(FAST, step=0.1, end=10, **more),
+        lambda **more: BODY.solve(FAST, times, **more),
+    ]:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            whole, alone = solve(), solve(estimate=False)
+        assert np.array_equal(whole.y, alone.y)
+        assert whole.error_estimate is not None and alone.error_estimate is None
+        with pytest.raises(ValueError, match="estimate must be True or False"):
+            solve(estimate="no")
+    with pytest.warns(RuntimeWarning, match=LONG):
+        BODY.solve(FAST, step=1, end=30, estimate=False)
+
+
 def test_right_motions_are_not():
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -21,7 +21,7 @@ use lie_poisson::{
     Covector, LieAlgebra, LiePoisson, Momentum, Se3, Sites, So3, State, StructureConstants, Vector,
 };
 use lie_poisson_formulas::{Formula, FormulaHamiltonian, structure_constants};
-use momentum_map::{DualQuaternions, HOPF, PoissonMap, Quaternions};
+use momentum_map::{DualQuaternions, HOPF, Lift, PoissonMap, Quaternions};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -36,13 +36,37 @@ pub(super) struct Integration<'a> {
 type Made = Result<AnyIntegrator<dyn AnyTangents>, FormulaSystemError>;
 
 /// Any scheme, whose type is one: a step is a composition of one substep.
-type AnyScheme = Composition<RungeKutta>;
+pub(super) type AnyScheme = Composition<RungeKutta>;
 
 impl Integration<'_> {
     /// Makes the integrator.
     pub(super) fn make(&self) -> Made {
+        self.with(self.scheme()?)
+    }
+
+    /// Returns the collective method that is the same map as a reduced one, if the start has a lift.
+    pub(super) fn with_lift(&self) -> Result<Option<Method>, FormulaSystemError> {
+        let at = |i: usize| self.start.get(i).copied().unwrap_or(f64::NAN);
+        let has_lift = match (self.method.formulation(), self.system.algebra().family) {
+            (Formulation::Reduced, Family::Rotations) => {
+                HOPF.lift(&<Momentum<So3>>::from_coordinates(at)).is_ok()
+            }
+            (Formulation::Reduced, Family::Motions) => {
+                SpinorRealisation.lift(&<Momentum<Se3>>::from_coordinates(at)).is_ok()
+            }
+            _ => false,
+        };
+        let (scheme, tolerance) = (self.method.scheme(), self.method.tolerance());
+        let collective =
+            || self.system.algebra().method(Formulation::Collective, scheme, tolerance);
+        let own = self.system.algebra().realisation().is_some();
+        (has_lift && !own).then(collective).transpose()
+    }
+
+    /// Returns the scheme of the method.
+    pub(super) fn scheme(&self) -> Result<AnyScheme, FormulaSystemError> {
         let scheme = self.method.scheme().runge_kutta(self.method.tolerance())?;
-        self.with(scheme.ok_or_else(|| self.impossible())?)
+        scheme.ok_or_else(|| self.impossible())
     }
 
     fn with(&self, scheme: AnyScheme) -> Made {
@@ -160,7 +184,7 @@ impl Integration<'_> {
 
     /// Returns the Clebsch map of the adjoint representation. If the start has no lift, it is that of the coadjoint
     /// representation.
-    fn clebsch_map<const N: usize>(&self) -> Result<ClebschMap<N>, FormulaSystemError> {
+    pub(super) fn clebsch_map<const N: usize>(&self) -> Result<ClebschMap<N>, FormulaSystemError> {
         let algebra = (self.table::<N>()?, self.system.algebra().dimension());
         clebsch_map(algebra, &self.momentum::<N>(), || self.impossible())
     }
@@ -203,12 +227,16 @@ impl Integration<'_> {
         AnyIntegrator::with_tangents(integrator, self.system.algebra().dimension())
     }
 
-    fn table<const N: usize>(&self) -> Result<StructureConstants<N>, FormulaSystemError> {
+    pub(super) fn table<const N: usize>(
+        &self,
+    ) -> Result<StructureConstants<N>, FormulaSystemError> {
         let entries = self.system.algebra().entries();
         structure_constants::<N>(entries).map_err(FormulaSystemError::Structure)
     }
 
-    fn hamiltonian<A: LieAlgebra>(&self) -> Result<FormulaHamiltonian<A>, FormulaSystemError> {
+    pub(super) fn hamiltonian<A: LieAlgebra>(
+        &self,
+    ) -> Result<FormulaHamiltonian<A>, FormulaSystemError> {
         of(self.system.motion())
     }
 
@@ -218,6 +246,8 @@ impl Integration<'_> {
 }
 
 /// Returns the Hamiltonian of a formula.
-fn of<A: LieAlgebra>(formula: &Formula) -> Result<FormulaHamiltonian<A>, FormulaSystemError> {
+pub(super) fn of<A: LieAlgebra>(
+    formula: &Formula,
+) -> Result<FormulaHamiltonian<A>, FormulaSystemError> {
     FormulaHamiltonian::of(formula).map_err(FormulaSystemError::Hamiltonian)
 }

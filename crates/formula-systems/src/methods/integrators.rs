@@ -44,6 +44,45 @@ impl FormulaSystem {
         self.integration(method, start)?.make()
     }
 
+    /// Returns the fastest integrator of a method, for runs from a state. It makes the steps of
+    /// [`tangent_integrator`](Self::tangent_integrator) up to rounding errors, on every processor with the same bits, and has
+    /// no tangent maps: the stages of Gauss's methods on algebras of up to six dimensions are in the lanes of a register, and
+    /// `reduced`, which is the same map as `collective`, takes its lift where there is one.
+    ///
+    /// # Errors
+    /// Returns the errors of [`tangent_integrator`](Self::tangent_integrator).
+    ///
+    /// # Example
+    /// ```
+    /// use collective_integrators::{AnyState, Start};
+    /// use heavytop::methods::{Formulation, SchemeName};
+    /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
+    /// use lie_poisson_formulas::Parameters;
+    /// let text = "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2 + cos(Gamma1)";
+    /// let body = FormulaSystem::new(SystemAlgebra::named("se(3)")?, text, &Parameters::new())?;
+    /// let method = body.algebra().method(Formulation::Reduced, SchemeName::Gauss(6), 0.0)?;
+    /// let start = [1.0, 2.0, 0.5, 0.6, 0.0, 0.8];
+    /// let state = AnyState::from_slice(&start);
+    /// let fast = body.integrator(&method, &start)?.after(&state, 0.1, 100)?.momentum;
+    /// let with_tangents = body.tangent_integrator(&method, &start)?.after(&state, 0.1, 100)?.momentum;
+    /// let same = |(x, y): (&f64, &f64)| (x - y).abs() < 1e-11;
+    /// assert!(fast.as_slice().iter().zip(with_tangents.as_slice()).all(same));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn integrator(
+        &self,
+        method: &Method,
+        start: &[f64],
+    ) -> Result<AnyIntegrator, FormulaSystemError> {
+        let lifted = self.integration(method, start)?.with_lift()?;
+        let method = lifted.as_ref().unwrap_or(method);
+        let integration = Integration { method, system: self, start };
+        match integration.make_in_lanes()? {
+            Some(integrator) => Ok(integrator),
+            None => Ok(integration.make()?.without_tangents()),
+        }
+    }
+
     /// Returns whether the steps of a method descend to 𝔤∗. It is false for a collective method by a Clebsch map whose
     /// [`equivariant_maps_descend`](momentum_map::PoissonMap::equivariant_maps_descend) is false. The steps are then
     /// not Poisson maps, and the Casimirs are conserved only to the order of the scheme.

@@ -5,6 +5,7 @@ pub(crate) mod clebsch;
 pub(crate) mod table_field;
 pub(crate) mod formula_of_sites;
 pub(crate) mod integration;
+pub(crate) mod in_lanes;
 mod integrators;
 mod spectral_radius;
 mod scales;

@@ -5,6 +5,7 @@ mod algebra_expressions;
 mod algebras_of_systems;
 mod casimirs;
 mod collective_by_expression;
+mod fastest_integrators;
 mod laws_of_systems;
 mod methods_by_name;
 mod open_systems;

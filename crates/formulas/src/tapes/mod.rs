@@ -3,5 +3,5 @@
 pub(crate) mod instruction;
 pub(crate) mod selection;
 pub(crate) mod allocation;
-pub(crate) mod affine;
+pub(crate) mod linear;
 pub(crate) mod tape;

@@ -1,8 +1,8 @@
 //! A list of instructions that computes numbers from coordinates: [`Tape`].
 
-use super::affine::Affine;
 use super::allocation::{Allocation, SIZES, allocate};
 use super::instruction::{Binary, Instruction, Operation};
+use super::linear::Linear;
 use super::selection::select;
 use crate::graphs::graph::{Graph, Id};
 use crate::text::formula_error::Problem;
@@ -14,8 +14,8 @@ use nalgebra::Vector2;
 pub(crate) struct Tape {
     /// The number of coordinates x, which are in the first registers. The results are in the registers that follow.
     inputs: usize,
-    /// The i-th result s x + b before the first instruction, where x is the coordinate that belongs to the result.
-    results: Box<[Affine]>,
+    /// The i-th result before the first instruction, a sum of multiples of coordinates.
+    results: Box<[Linear]>,
     instructions: Box<[Instruction<u16>]>,
     /// The numbers that are in further registers before the first instruction.
     numbers: Box<[(u16, f64)]>,
@@ -26,8 +26,8 @@ pub(crate) struct Tape {
 impl Tape {
     /// Creates the tape that computes the roots of a graph from `inputs` coordinates.
     ///
-    /// The coordinate that belongs to the i-th root has the index `first` + i. A root that is a multiple of this
-    /// coordinate plus a constant needs no instruction.
+    /// The coordinate that belongs to the i-th root has the index `first` + i. A root that is a sum of a multiple of it, of
+    /// those of a few others and of a constant needs no instruction.
     pub(crate) fn new(
         graph: &Graph,
         roots: &[Id],
@@ -35,16 +35,16 @@ impl Tape {
         first: usize,
     ) -> Result<Self, Problem> {
         let (graph, roots) = graph.without_powers(roots);
-        let affine = (first..).zip(&roots).map(|(input, &root)| Affine::of(&graph, root, input));
-        let affine: Vec<_> = affine.collect();
-        let left = roots.iter().zip(&affine);
+        let linear = (first..).zip(&roots).map(|(input, &root)| Linear::of(&graph, root, input));
+        let linear: Vec<_> = linear.collect();
+        let left = roots.iter().zip(&linear);
         let left: Vec<_> = left.map(|(&root, known)| known.is_none().then_some(root)).collect();
         let selected = select(&graph, &left.iter().flatten().copied().collect::<Vec<_>>());
         let allocation = allocate(&graph, &selected, &left, inputs)?;
         let Allocation { instructions, numbers, size } = allocation;
         Ok(Self {
             inputs,
-            results: affine.into_iter().map(Option::unwrap_or_default).collect(),
+            results: linear.into_iter().map(Option::unwrap_or_default).collect(),
             instructions: instructions.into(),
             numbers: numbers.into(),
             size,
@@ -68,7 +68,7 @@ impl Tape {
     ) -> V {
         let results = self.results.get(..V::DIM).filter(|_| self.inputs == inputs);
         match results.filter(|_| self.instructions.is_empty()) {
-            Some(affine) => V::from_coordinates(|i| affine[i].at(own(i))),
+            Some(linear) => V::from_coordinates(|i| linear[i].at(own(i), &input)),
             None => self.evaluate((inputs, V::DIM), input, own, |results| {
                 V::from_coordinates(|i| result(results, i))
             }),
@@ -153,17 +153,17 @@ impl Tape {
         results: impl FnOnce(&[T]) -> R,
     ) -> R {
         let mut registers = [T::from_f64(0.0); SIZE];
-        let affine = self.results.get(..outputs).filter(|_| inputs == self.inputs);
-        let (Some(affine), Some((first, others))) =
-            (affine, registers.split_at_mut_checked(inputs))
+        let linear = self.results.get(..outputs).filter(|_| inputs == self.inputs);
+        let (Some(linear), Some((first, others))) =
+            (linear, registers.split_at_mut_checked(inputs))
         else {
             return results(&[]);
         };
         for (i, register) in first.iter_mut().enumerate() {
             *register = input(i);
         }
-        for (i, (register, affine)) in others.iter_mut().zip(affine).enumerate() {
-            *register = affine.at(own(i));
+        for (i, (register, linear)) in others.iter_mut().zip(linear).enumerate() {
+            *register = linear.at(own(i), |i| first[i]);
         }
         for &(register, number) in &*self.numbers {
             registers[usize::from(register) % SIZE] = T::from_f64(number);
@@ -267,13 +267,13 @@ mod tests {
         // dh = (Π₁/I₁, Π₂/I₂, Π₃/I₃, c): each a multiple of its own coordinate and a constant
         let top = "0.5*(Pi1^2/I1 + Pi2^2/I2 + Pi3^2/I3) + 1.5*Gamma1 + 0*Gamma2";
         assert_eq!(lengths(top)[1..], [0, 0]);
-        // dh = (0.6 Π₁ + 0.1 Π₂, 0.1 Π₁ + 2 Π₂, 0, …): two products, each added to a product
-        assert_eq!(lengths("0.3*Pi1^2 + 0.1*Pi1*Pi2 + Pi2^2")[1], 4);
+        // dh = (0.6 Π₁ + 0.1 Π₂, 0.1 Π₁ + 2 Π₂, 0, …)
+        assert_eq!(lengths("0.3*Pi1^2 + 0.1*Pi1*Pi2 + Pi2^2")[1..], [0, 0]);
         // h = ½ Π₁Π₂ is one instruction, and exp(−Γ₃²) needs one before exp, its slope −2 exp(−Γ₃²) Γ₃ one after it
         assert_eq!(lengths("0.5*(Pi1*Pi2)")[0], 1);
         assert_eq!(lengths("exp(-Gamma3^2)")[..2], [2, 3]);
-        // dh = (Γ, Π): copies
-        assert_eq!(lengths("Pi·Gamma"), [3, 6, 6]);
+        // dh = (Γ, Π)
+        assert_eq!(lengths("Pi·Gamma"), [3, 0, 0]);
         // the length of Γ is computed once for all slopes, and 2Γᵢ is added by the instruction that multiplies
         let length = lengths("1/|Gamma|^3")[1];
         assert!(lengths("|Gamma|^2 + 1/|Gamma|^3")[1] <= length + 3);

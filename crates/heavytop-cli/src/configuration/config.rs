@@ -165,7 +165,7 @@ impl Config {
     pub(crate) fn instructions(&self) -> InstructionSet {
         let method = self.integrator.or(Integration::default()).method();
         match method {
-            Ok(method) if self.system.is_none() => method.instructions(),
+            Ok(method) if self.system.is_none() => method.fastest().instructions(),
             // Sums over many sites, and products of matrices, are in the widest registers.
             _ if self.system.as_ref().is_some_and(|system| system.array_kind().is_some()) => {
                 InstructionSet::detected()

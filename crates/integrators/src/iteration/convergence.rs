@@ -37,7 +37,7 @@ pub(crate) const FLOOR: f64 = 8.0 * ROUND_OFF;
 const PATIENCE: f64 = 4.0;
 
 /// The multiple of the size of the stage derivatives within which a solution is near the guess.
-const NEAR: f64 = 0.5;
+pub(crate) const NEAR: f64 = 0.5;
 
 /// The multiple of the first change within which a solution is near the guess for an iteration that contracts. The sum of
 /// the changes is below it if they contract by a sixteenth from one to the next on average.

@@ -1,9 +1,9 @@
 //! Stage equations that are to be solved with one stage in each SIMD lane: [`LaneProblem`].
 
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
-use crate::iteration::convergence::Ratios;
+use crate::iteration::convergence::{NEAR, Ratios};
 use crate::iteration::stage_rows::{StageColumns, StageRow, StageRows, WIDTH};
-use crate::iteration::stage_scale::{StageScale, SweepChange};
+use crate::iteration::stage_scale::{Scale, StageScale, SweepChange};
 use crate::iteration::stage_solver::{StageSolver, Unconverged};
 use core::hint::black_box;
 use lie_poisson::{Lanes, Mask, Real, State, Vector};
@@ -27,8 +27,15 @@ pub struct LaneProblem<'a, V: State> {
     /// The guess, and after the iteration the stage derivatives.
     pub(crate) k: &'a mut [V],
     pub(crate) pace: &'a mut Ratios<V::Scalar>,
+    /// The number of sweeps of the last step from as good a guess, or 0.
+    pub(crate) usual: usize,
     pub(crate) rows: &'a mut StageRows,
 }
+
+/// The number of sweeps that are watched at the least.
+///
+/// To measure the changes of a sweep takes as long as the sweep. Those before the last few say nothing about convergence.
+const WATCHED: usize = 4;
 
 impl<V: State> LaneProblem<'_, V> {
     /// Solves the equations by sweeps with room for S stages side by side, for a field over the lanes `T`.
@@ -37,12 +44,33 @@ impl<V: State> LaneProblem<'_, V> {
         &mut self,
         field: impl Fn(&W) -> W,
     ) -> Outcome<V> {
-        self.write_rows();
+        let mut unwatched = self.usual.saturating_sub(WATCHED).min(self.solver.max_iterations / 2);
+        let outcome = loop {
+            self.write_rows();
+            let outcome = self.iterate::<T, W, S>(&field, unwatched);
+            // What has not been watched may have led to another solution, or away from all.
+            if unwatched == 0 || outcome.is_ok() && self.stays_near_guess::<T, W, S>() {
+                break outcome;
+            }
+            unwatched = 0;
+        };
+        self.read_rows();
+        outcome
+    }
+
+    /// Makes sweeps from the guess in the rows until they have converged, the first ones without measuring their changes.
+    #[cfg_attr(optimised, inline(always))]
+    fn iterate<T: Lanes, W: Vector<Scalar = T>, const S: usize>(
+        &mut self,
+        field: &impl Fn(&W) -> W,
+        unwatched: usize,
+    ) -> Outcome<V> {
         let Self { columns, solver, scale, z, step, pace, rows, .. } = self;
         let sweep = Sweep { columns, z: *z, step: *step };
         let (none, whole) = (Mask::from_bool(false), Mask::from_bool(columns.low.is_none()));
+        let mut left = unwatched;
         let outcome = solver.iterate(
-            solver.max_iterations,
+            solver.max_iterations - unwatched,
             (none, whole),
             *scale,
             pace,
@@ -51,17 +79,40 @@ impl<V: State> LaneProblem<'_, V> {
                 // Each number is broadcast from memory, which costs nothing. Without the black box the compiler would
                 // take it from the registers in which it was computed, which costs shuffles.
                 let rows = black_box(&mut **rows);
-                let mut progress =
-                    SweepChange { change: BlockSizes::zero(), size: BlockSizes::zero() };
-                for block in 0..S.div_ceil(T::COUNT) {
-                    sweep.advance::<T, W, S>(&field, near.any(), block, rows, &mut progress);
+                loop {
+                    let mut progress =
+                        SweepChange { change: BlockSizes::zero(), size: BlockSizes::zero() };
+                    let how = (left == 0, near.any());
+                    for block in 0..S.div_ceil(T::COUNT) {
+                        sweep.advance::<T, W, S>(field, how, block, rows, &mut progress);
+                    }
+                    if left == 0 {
+                        let SweepChange { change, size } = &progress;
+                        break SweepChange {
+                            change: largest_lanes(change),
+                            size: largest_lanes(size),
+                        };
+                    }
+                    left -= 1;
                 }
-                let SweepChange { change, size } = &progress;
-                SweepChange { change: largest_lanes(change), size: largest_lanes(size) }
             },
         );
-        self.read_rows();
-        outcome
+        outcome.map(|watched| unwatched + watched)
+    }
+
+    /// Returns whether the stage derivatives in the rows are near the guess, block by block.
+    #[cfg_attr(optimised, inline(always))]
+    fn stays_near_guess<T: Lanes, W: Vector<Scalar = T>, const S: usize>(&self) -> bool {
+        let (mut apart, mut size) = (BlockSizes::zero(), BlockSizes::zero());
+        for block in 0..S.div_ceil(T::COUNT) {
+            let [k, guess] = [&self.rows.k, &self.rows.guess]
+                .map(|rows| W::from_coordinates(|c| rows[c].load(block)));
+            apart.include_difference(&k, &guess);
+            size.include(&k);
+        }
+        let progress = SweepChange { change: largest_lanes(&apart), size: largest_lanes(&size) };
+        let (apart, size) = self.scale.compare(&progress);
+        apart.at_most(size * NEAR).all()
     }
 
     /// Writes the guess to the rows.
@@ -76,6 +127,7 @@ impl<V: State> LaneProblem<'_, V> {
                 self.rows.k[c].0[i] = number(k.coordinate(c));
             }
         }
+        self.rows.guess.clone_from(&self.rows.k);
     }
 
     /// Reads the stage derivatives from the rows.
@@ -98,15 +150,15 @@ struct Sweep<'a, V> {
 }
 
 impl<V: State> Sweep<'_, V> {
-    /// Replaces the stage derivatives in a block of lanes. If they are `near` the solution, the sums with the low parts
-    /// of the coefficients are computed first.
+    /// Replaces the stage derivatives in a block of lanes, and measures the changes if they are `watched`. If they are
+    /// `near` the solution, the sums with the low parts of the coefficients are computed first.
     #[cfg_attr(optimised, inline(always))]
     fn advance<T: Lanes, W: Vector<Scalar = T>, const S: usize>(
         &self,
         field: &impl Fn(&W) -> W,
-        near: bool,
+        (watched, near): (bool, bool),
         block: usize,
-        StageRows { k, small }: &mut StageRows,
+        StageRows { k, small, .. }: &mut StageRows,
         progress: &mut SweepChange<W>,
     ) {
         if near && let Some(low) = &self.columns.low {
@@ -125,12 +177,14 @@ impl<V: State> Sweep<'_, V> {
             },
         );
         let value = field(&point);
-        let before = W::from_coordinates(
-            #[cfg_attr(optimised, inline(always))]
-            |c| k[c].load(block),
-        );
-        progress.change.include_difference(&value, &before);
-        progress.size.include(&value);
+        if watched {
+            let before = W::from_coordinates(
+                #[cfg_attr(optimised, inline(always))]
+                |c| k[c].load(block),
+            );
+            progress.change.include_difference(&value, &before);
+            progress.size.include(&value);
+        }
         for (c, row) in k.iter_mut().enumerate() {
             row.store(value.coordinate(c), block);
         }

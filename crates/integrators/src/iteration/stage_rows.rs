@@ -60,6 +60,8 @@ fn columns<'a>(stages: usize, row: impl Fn(usize) -> &'a [f64]) -> [StageRow; WI
 pub(crate) struct StageRows {
     /// The stage derivatives.
     pub(crate) k: Vec<StageRow>,
+    /// The stage derivatives from which the iteration begins.
+    pub(crate) guess: Vec<StageRow>,
     /// The sums Σ_j low_ij k_j.
     pub(crate) small: Vec<StageRow>,
 }
@@ -67,7 +69,8 @@ pub(crate) struct StageRows {
 impl StageRows {
     /// Creates empty storage with room for vectors of a dimension.
     pub(crate) fn with_room(dimension: usize) -> Self {
-        Self { k: Vec::with_capacity(dimension), small: Vec::with_capacity(dimension) }
+        let room = || Vec::with_capacity(dimension);
+        Self { k: room(), guess: room(), small: room() }
     }
 
     /// Makes room for vectors of a dimension, and sets the sums with the low parts to zero.

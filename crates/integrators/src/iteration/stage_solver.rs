@@ -114,13 +114,14 @@ pub(crate) trait StageEquations<V: State> {
 
     /// Solves the equations from the guess in `k` with one stage in each SIMD lane, if they support that.
     ///
-    /// The ratios are those of the changes in the previous iteration.
+    /// The ratios are those of the changes in the previous iteration, and the number is that of its sweeps from as good a
+    /// guess, or 0.
     #[cfg_attr(optimised, inline(always))]
     fn solve_in_lanes(
         &mut self,
         _solver: &StageSolver,
         _k: &mut [V],
-        _pace: &mut Ratios<V::Scalar>,
+        _pace: (&mut Ratios<V::Scalar>, usize),
     ) -> Option<Result<usize, Unconverged<MaskOf<V>>>> {
         None
     }

@@ -204,11 +204,11 @@ impl<F: VectorField<V::Scalar, Point = V>, V: State> StageEquations<V> for Stage
         &mut self,
         solver: &StageSolver,
         k: &mut [V],
-        pace: &mut Ratios<V::Scalar>,
+        (pace, usual): (&mut Ratios<V::Scalar>, usize),
     ) -> Option<Outcome<V>> {
         let (columns, step, scale, rows) = self.lanes.as_mut()?;
         let (z, step) = (self.z, *step);
-        let mut problem = LaneProblem { columns, solver, scale, z, step, k, pace, rows };
+        let mut problem = LaneProblem { columns, solver, scale, z, step, k, pace, usual, rows };
         self.field.solve_in_lanes(&mut problem)
     }
 

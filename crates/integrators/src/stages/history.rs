@@ -33,6 +33,8 @@ pub(crate) struct StageHistory<V: State> {
     /// The end of the last step, and the ratios of changes in its iteration.
     end: Option<V>,
     pace: Ratios<V::Scalar>,
+    /// The number of iterations of the last step whose stages were predicted, or 0.
+    iterations: usize,
     /// The lanes in which blocks of the derivatives are round-off of larger terms.
     cancelling: MaskOf<V>,
 }
@@ -49,6 +51,7 @@ impl<V: State> StageHistory<V> {
             size: 0.0,
             end: None,
             pace: unknown(),
+            iterations: 0,
             cancelling: MaskOf::<V>::from_bool(false),
         }
     }
@@ -60,6 +63,7 @@ impl<V: State> StageHistory<V> {
         self.most = 0;
         self.newest = 0;
         self.pace = unknown();
+        self.iterations = 0;
         self.cancelling = MaskOf::<V>::from_bool(false);
     }
 
@@ -99,9 +103,14 @@ impl<V: State> StageHistory<V> {
             begin(field, z, guessed, (k, spare));
         }
         let none = MaskOf::<V>::from_bool(false);
-        let mut outcome = match equations.solve_in_lanes(solver, k, &mut self.pace) {
+        let usual = if guessed.all() { self.iterations } else { 0 };
+        let mut outcome = match equations.solve_in_lanes(solver, k, (&mut self.pace, usual)) {
             Some(outcome) => outcome,
             None => solver.solve_from(none, scale, k, spare, &mut self.pace, &mut equations),
+        };
+        self.iterations = match &outcome {
+            Ok(iterations) if guessed.all() => *iterations,
+            _ => 0,
         };
         if let Err(first) = &outcome {
             let misled = guessed.and(first.converged.not());

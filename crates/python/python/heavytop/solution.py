@@ -73,7 +73,7 @@ class Solution:
         error: the exception of the step that failed, or None.
         error_estimate: the estimated error of the states, to two digits: the largest over the run, of each vector or scalar
             of the coordinates relative to its size. 1 means that nothing is right. It is found by a repetition of the
-            beginning of the run with half the step; None if that failed. A step of partial size, as one that ends at an
+            beginning of the run with half the step; None if that failed, or was not asked for. A step of partial size, as one that ends at an
             event, is repeated as a whole one. With noise it is that of the path.
         kept: the symbols of the invariants that the motion keeps: all, unless something drives, damps, shakes or forces the system.
     """

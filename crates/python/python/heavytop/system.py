@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from ._native import IntegrationError
 from .accuracy import warn_of_accuracy
-from .arguments import array, choice, course, real
+from .arguments import array, choice, course, flag, real
 from .arguments import count as whole
 from .events import Events, Function, NativeEvent, native_events, surface_source
 from .solution import NEVER, Crossings, Floats, Run, Solution, crossings, solution, solution_at
@@ -134,6 +134,7 @@ class System(SystemDescription):
         every: int = 1,
         events: Events = None,
         path: Optional[int] = None,
+        estimate: bool = True,
     ) -> Solution:
         """Follows the system from t = 0, in equal steps. An end before 0 is reached backward in time.
 
@@ -162,6 +163,9 @@ class System(SystemDescription):
             events: functions of the state whose zeros are found; as for `Top.solve`.
             path: of a system with noise, the number of the path: another number is another run with the same statistics. Without
                 it, the path that `noise` has.
+            estimate: whether to estimate the error of the run. The estimate repeats the run, or the beginning of a long one,
+                with half the step, which takes three times as long as a short run itself. Without it the angle of a step at
+                the start is judged alone.
 
         Returns:
             The samples. If a step fails, or an invariant or an event has no finite value at a later state than the start,
@@ -184,7 +188,7 @@ class System(SystemDescription):
             ((3, 101), (101,), True)
         """
         if t is not None:
-            return self._solve_at(y0, t, step, end, (formulation, scheme, tolerance), (every, events), path)
+            return self._solve_at(y0, t, step, end, (formulation, scheme, tolerance), (every, events), path, estimate)
         if step is None or end is None:
             raise ValueError("write either t, or step and end")
         step, end = course(step, end)
@@ -192,12 +196,13 @@ class System(SystemDescription):
         run = self._run(y0, step, (formulation, scheme, tolerance), native)
         watched = self._watched(events)
         columns = native.follow(run.setting, end, whole("every", every, 1), watched)
-        estimate = warn_of_accuracy(native, run.setting, run.steps(columns.times), 3)
+        repeated = run.steps(columns.times) if flag("estimate", estimate) else 0
+        error = warn_of_accuracy(native, run.setting, repeated, 3)
         self._warn_of_end(columns.states, 3)
         symbols = (self.invariants, self.kept)
-        return self._solved(solution(columns, symbols, run, estimate, has_events=events is not None))
+        return self._solved(solution(columns, symbols, run, error, has_events=events is not None))
 
-    def _solve_at(self, y0: Optional[State], t: ArrayLike, step: Any, end: Any, names: Any, others: tuple[int, Events], path: Optional[int]) -> Solution:
+    def _solve_at(self, y0: Optional[State], t: ArrayLike, step: Any, end: Any, names: Any, others: tuple[int, Events], path: Optional[int], estimate: bool) -> Solution:
         times = array("t", t)
         if end is not None or others != (1, None):
             raise ValueError("end, every and events go with step, not with t: write step and end instead of t")
@@ -213,14 +218,14 @@ class System(SystemDescription):
         native = self._on_path(path)
         run = self._run(y0, step, names, native)
         states = native.states_at(run.setting, times.tolist())
-        estimate = warn_of_accuracy(native, run.setting, run.steps(times), 4)
+        error = warn_of_accuracy(native, run.setting, run.steps(times) if flag("estimate", estimate) else 0, 4)
         self._warn_of_end(states, 4)
         try:
             values = self.invariant_values(states.T, times)
-        except ValueError as error:
+        except ValueError as none:
             # At the start they have values, or there would be no states.
-            raise IntegrationError(*error.args) from None
-        return self._solved(solution_at(times, states, values, self.kept, run, estimate))
+            raise IntegrationError(*none.args) from None
+        return self._solved(solution_at(times, states, values, self.kept, run, error))
 
     def section(
         self,

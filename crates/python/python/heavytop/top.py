@@ -71,6 +71,7 @@ class Top(TopParameters):
         attitude: bool = False,
         attitude0: Optional[ArrayLike] = None,
         events: Events = None,
+        estimate: bool = True,
     ) -> TopSolution:
         """Follows the top from t = 0 to the end, in equal steps. An end before 0 is reached backward in time.
 
@@ -108,6 +109,9 @@ class Top(TopParameters):
                 coordinates such as `lambda x: x.Pi @ x.Gamma - 1`, or `Event`s, which have a direction and may end the run.
                 A function is called once, with symbols. At an event the function goes to zero and changes its sign; see
                 `Event`. Two zeros within one step are found unless they are very close.
+            estimate: whether to estimate the error of the run. The estimate repeats the run, or the beginning of a long one,
+                with half the step, which takes three times as long as a short run itself. Without it the angle of a step at
+                the start is judged alone.
 
         Returns:
             The samples. If a step fails, or an invariant or an event has no finite value at a later state than the start,
@@ -140,8 +144,9 @@ class Top(TopParameters):
         watched = native_events(events, NAMES, {})
         columns = self._top.follow(run.setting, end, every, followed, watched)
         symbols = self._top.invariants_from(np.array([run.setting[0]]))
-        estimate = warn_of_accuracy(self._top, run.setting, run.steps(columns.times), 3)
-        found = solution(columns, (symbols, symbols), run, estimate, has_events=events is not None)
+        repeated = run.steps(columns.times) if flag("estimate", estimate) else 0
+        error = warn_of_accuracy(self._top, run.setting, repeated, 3)
+        found = solution(columns, (symbols, symbols), run, error, has_events=events is not None)
         return TopSolution(**{field.name: getattr(found, field.name) for field in fields(Solution)})
 
     def report(

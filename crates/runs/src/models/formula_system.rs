@@ -34,6 +34,10 @@ impl Model for FormulaSystem {
         Ok(self.tangent_integrator(method, start)?)
     }
 
+    fn integrator(&self, method: &Method, start: &[f64]) -> Result<AnyIntegrator, RunFailure> {
+        Ok(self.integrator(method, start)?)
+    }
+
     fn formula(&self, conserved: &str) -> Option<String> {
         let names = Invariants(self).names();
         names

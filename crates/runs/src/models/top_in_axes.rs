@@ -7,8 +7,9 @@ use collective_integrators::diagnostics::SystemScales;
 use collective_integrators::{AnyIntegrator, AnyTangents};
 use core::ops::Range;
 use heavytop::methods::{Method, SchemeName};
-use heavytop::{HeavyTop, Invariant, PrincipalAxes, attitude_of_vertical};
+use heavytop::{HeavyTop, Invariant, PrincipalAxes, SpinorRealisation, attitude_of_vertical};
 use lie_poisson::{Quaternion, Se3Dual, State, Vector};
+use momentum_map::Lift;
 
 /// A heavy top, and the axes of the body in which users give and read its states (Π, Γ). It moves in its principal axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +46,12 @@ impl TopInAxes {
                 method.scheme()
             )
         })
+    }
+
+    /// Returns the method that makes the steps of another one from a start in the least time.
+    fn fastest(method: &Method, start: &[f64]) -> Method {
+        let has_lift = SpinorRealisation.lift(&Self::state(start)).is_ok();
+        if has_lift { method.fastest() } else { *method }
     }
 
     /// Returns the turn about the vertical from the shortest attitude in the principal axes to the attitude at a start.
@@ -107,17 +114,17 @@ impl Model for TopInAxes {
     }
 
     /// Kernels, which have no tangent maps, make the same steps faster.
-    fn integrator(&self, method: &Method, _start: &[f64]) -> Result<AnyIntegrator, RunFailure> {
-        Ok(method.integrator(&self.top)?)
+    fn integrator(&self, method: &Method, start: &[f64]) -> Result<AnyIntegrator, RunFailure> {
+        Ok(Self::fastest(method, start).integrator(&self.top)?)
     }
 
     fn integrator_with_attitude(
         &self,
         method: &Method,
-        _start: &[f64],
+        start: &[f64],
     ) -> Result<AnyIntegrator, RunFailure> {
         let formulation = method.formulation();
-        let integrator = method.integrator_with_attitude(&self.top)?;
+        let integrator = Self::fastest(method, start).integrator_with_attitude(&self.top)?;
         integrator.ok_or(RunFailure::NoAttitude { formulation })
     }
 
