@@ -80,7 +80,7 @@ fn portable_instructions_change_the_last_digits_of_the_kernels_alone() {
         ("splitting", "yoshida-4"),
     ] {
         let method = Method::new(formulation.parse().unwrap(), scheme.parse().unwrap(), 0.0);
-        let is_portable = method.unwrap().instructions() == InstructionSet::Portable;
+        let is_portable = method.unwrap().fastest().instructions() == InstructionSet::Portable;
         let folder = Folder::new();
         let integrator = format!("formulation='{formulation}',scheme='{scheme}',end=2");
         let run = |instructions: &str| {
