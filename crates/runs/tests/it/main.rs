@@ -7,9 +7,8 @@ mod array_systems;
 mod contests;
 #[cfg(feature = "contests")]
 mod errors_of_runs;
-mod fastest_tops;
-mod reports;
 mod statistics_of_paths;
 mod rows_of_runs;
 mod support;
 mod tangents_of_long_steps;
+mod tops;

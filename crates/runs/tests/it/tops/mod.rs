@@ -1,0 +1,4 @@
+//! Tops: the integrators that follow them, and reports of their motion.
+
+mod fastest_tops;
+mod reports;
