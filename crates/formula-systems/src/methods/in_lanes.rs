@@ -4,14 +4,18 @@ use super::clebsch::invariant_guard::InvariantGuard;
 use super::integration::{Integration, of};
 use crate::algebras::family::Family;
 use crate::error::FormulaSystemError;
+use crate::realisations::collective::RealisedCollective;
+use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use collective_integrators::{
-    AnyIntegrator, Collective, Direct, FieldInLanes, HamiltonianField, Scheme, StagesInLanes, Start,
+    AnyIntegrator, AnyState, Collective, Direct, FieldInLanes, HamiltonianField, Scheme,
+    StagesInLanes, Start,
 };
 use core::ops::RangeInclusive;
 use heavytop::SpinorRealisation;
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson::{LiePoisson, Se3, So3, Vector};
 use momentum_map::HOPF;
+use std::sync::Arc;
 
 /// The numbers of stages for which there are registers, and something to put into them.
 const STAGES: RangeInclusive<u8> = 2..=8;
@@ -21,16 +25,17 @@ type MadeInLanes = Result<Option<AnyIntegrator>, FormulaSystemError>;
 
 impl Integration<'_> {
     /// Makes the integrator that evaluates the formula for several stages at once, which are in the lanes of a register. It is
-    /// `None` where there is none: the scheme has no such stages, or the dimension of the states is known only at run time.
+    /// `None` where there is none: the scheme has no such stages, or the state is one of many sites.
     pub(super) fn make_in_lanes(&self) -> MadeInLanes {
         match self.method.scheme() {
             SchemeName::Gauss(stages) if STAGES.contains(&stages) => {}
             _ => return Ok(None),
         }
+        if let Some((momenta, is_plus)) = self.momenta()? {
+            return self.realised_in_lanes(momenta, is_plus);
+        }
         let algebra = self.system.algebra();
-        let has_realisation = algebra.realisation().is_some();
         match (self.method.formulation(), algebra.family, algebra.width()) {
-            (Formulation::Collective, ..) if has_realisation => Ok(None),
             (Formulation::Collective, Family::Rotations, _) => {
                 let hamiltonian = self.hamiltonian::<So3>()?;
                 Ok(Some(self.in_lanes(Collective::new(self.scheme()?, HOPF, hamiltonian))))
@@ -50,8 +55,21 @@ impl Integration<'_> {
             }
             (Formulation::Direct, _, 3) => self.direct_in_lanes::<3>(),
             (Formulation::Direct, _, 6) => self.direct_in_lanes::<6>(),
+            (Formulation::Direct, ..) => {
+                let direct = StagesInLanes::widest(Direct::new(self.scheme()?, self.table_field()));
+                let momentum = self.momentum_of_any_size();
+                Ok(Some(AnyIntegrator::of_states(direct, &momentum, &momentum)))
+            }
             _ => Ok(None),
         }
+    }
+
+    fn realised_in_lanes(&self, momenta: Arc<QuadraticMomenta>, is_plus: bool) -> MadeInLanes {
+        let (scheme, field) = (self.scheme()?, self.realised_field(&momenta, is_plus)?);
+        let (order, point) = (scheme.order(), AnyState::from_slice(&vec![0.0; momenta.size()]));
+        let motion = StagesInLanes::widest(Direct::new(scheme, field));
+        let guarded = self.guarded(RealisedCollective { motion, momenta }, order)?;
+        Ok(Some(AnyIntegrator::of_states(guarded, &point, &self.momentum_of_any_size())))
     }
 
     fn clebsch_in_lanes<const N: usize>(&self) -> MadeInLanes {

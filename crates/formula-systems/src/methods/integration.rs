@@ -7,7 +7,7 @@ use super::offers::refusal;
 use super::table_field::TableField;
 use crate::algebras::family::Family;
 use crate::error::FormulaSystemError;
-use crate::realisations::collective::RealisedCollective;
+use crate::realisations::collective::{RealisedCollective, RealisedField};
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::{
@@ -71,10 +71,8 @@ impl Integration<'_> {
 
     fn with(&self, scheme: AnyScheme) -> Made {
         let algebra = self.system.algebra();
-        if let (Formulation::Collective, Some((momenta, verdict))) =
-            (self.method.formulation(), algebra.realisation())
-        {
-            return self.realised(scheme, Arc::clone(momenta), verdict.is_plus);
+        if let Some((momenta, is_plus)) = self.momenta()? {
+            return self.realised(scheme, momenta, is_plus);
         }
         Ok(match (self.method.formulation(), algebra.family) {
             // Π and Γ have units of their own, which the structure constants of an algebra do not tell.
@@ -120,12 +118,7 @@ impl Integration<'_> {
             (Formulation::Collective, Family::Other) => {
                 return match algebra.width() {
                     3 => self.clebsch::<3>(scheme),
-                    6 => self.clebsch::<6>(scheme),
-                    _ => self.realised(
-                        scheme,
-                        Arc::new(QuadraticMomenta::clebsch(algebra.table())?),
-                        true,
-                    ),
+                    _ => self.clebsch::<6>(scheme),
                 };
             }
             // `require` has refused every such pair.
@@ -144,20 +137,62 @@ impl Integration<'_> {
 
     /// Applies the scheme along momenta of one's own.
     fn realised(&self, scheme: AnyScheme, momenta: Arc<QuadraticMomenta>, is_plus: bool) -> Made {
+        let (order, point) = (scheme.order(), AnyState::from_slice(&vec![0.0; momenta.size()]));
+        let motion = Direct::new(scheme, self.realised_field(&momenta, is_plus)?);
+        let guarded = self.guarded(RealisedCollective { motion, momenta }, order)?;
+        Ok(AnyIntegrator::of_states_with_tangents(guarded, &point, &self.momentum_of_any_size()))
+    }
+
+    /// Returns the field on the space of the momenta.
+    pub(super) fn realised_field(
+        &self,
+        momenta: &Arc<QuadraticMomenta>,
+        is_plus: bool,
+    ) -> Result<RealisedField, FormulaSystemError> {
         let system = self.system;
         // h or −h, with which the bracket of the momenta makes the motion.
         let hamiltonian = match is_plus == system.has_plus_bracket() {
             true => system.hamiltonian().clone(),
             false => system.hamiltonian().negated().map_err(FormulaSystemError::Hamiltonian)?,
         };
-        let point = AnyState::from_slice(&vec![0.0; momenta.size()]);
-        let order = scheme.order();
-        let collective = RealisedCollective { scheme, momenta, hamiltonian };
-        // That there is a start is for the start to say; here it is refused early.
-        collective.start(&AnyState::from_slice(self.start))?;
-        let guarded = InvariantGuard::new(collective, order, system);
-        let momentum = AnyState::from_slice(self.start);
-        Ok(AnyIntegrator::of_states_with_tangents(guarded, &point, &momentum))
+        Ok(RealisedField { momenta: Arc::clone(momenta), hamiltonian })
+    }
+
+    /// Guards a collective integrator along momenta of one's own.
+    ///
+    /// # Errors
+    /// If the start has no lift. That is for the start of a run to say; here it is refused early.
+    pub(super) fn guarded<I: Start<Momentum = AnyState>>(
+        &self,
+        collective: I,
+        order: usize,
+    ) -> Result<InvariantGuard<I>, FormulaSystemError> {
+        collective.start(&self.momentum_of_any_size())?;
+        Ok(InvariantGuard::new(collective, order, self.system))
+    }
+
+    /// Returns the start.
+    pub(super) fn momentum_of_any_size(&self) -> AnyState {
+        AnyState::from_slice(self.start)
+    }
+
+    /// Returns the momenta along which the collective method goes, and whether their bracket is the plus bracket: one's own, or
+    /// those of a Clebsch map of a large algebra.
+    pub(super) fn momenta(
+        &self,
+    ) -> Result<Option<(Arc<QuadraticMomenta>, bool)>, FormulaSystemError> {
+        let algebra = self.system.algebra();
+        Ok(match (self.method.formulation(), algebra.realisation(), algebra.family) {
+            (Formulation::Collective, Some((momenta, verdict)), _) => {
+                Some((Arc::clone(momenta), verdict.is_plus))
+            }
+            (Formulation::Collective, None, Family::Other)
+                if ![3, 6].contains(&algebra.width()) =>
+            {
+                Some((Arc::new(QuadraticMomenta::clebsch(algebra.table())?), true))
+            }
+            _ => None,
+        })
     }
 
     /// Returns whether the steps of affine schemes descend to 𝔤∗ along the map that [`clebsch`](Self::clebsch) uses.
@@ -212,11 +247,14 @@ impl Integration<'_> {
 
     /// Applies the scheme to the equations on an algebra of any dimension.
     fn direct_of_table(&self, scheme: AnyScheme) -> AnyIntegrator<dyn AnyTangents> {
-        let (algebra, hamiltonian) = (self.system.algebra(), self.system.motion().clone());
-        let direct =
-            Direct::new(scheme, TableField { table: algebra.table().clone(), hamiltonian });
-        let momentum = AnyState::from_slice(self.start);
+        let momentum = self.momentum_of_any_size();
+        let direct = Direct::new(scheme, self.table_field());
         AnyIntegrator::of_states_with_tangents(direct, &momentum, &momentum)
+    }
+
+    pub(super) fn table_field(&self) -> TableField {
+        let (algebra, hamiltonian) = (self.system.algebra(), self.system.motion().clone());
+        TableField { table: algebra.table().clone(), hamiltonian }
     }
 
     /// Hides the type of an integrator.

@@ -20,6 +20,7 @@ impl<T: Real> VectorField<T> for TableField {
     }
 
     /// Writes the rate, or NaN for a point of another dimension.
+    #[cfg_attr(optimised, inline(always))]
     fn at_into(&self, mu: &AnyState<T>, rate: &mut AnyState<T>) {
         let (mu, rate) = (mu.as_slice(), rate.as_mut_slice());
         let at = |i: usize| mu[i];

@@ -1,34 +1,24 @@
 //! Collective integrators along quadratic momenta: [`RealisedCollective`].
 
 use super::quadratic_momenta::QuadraticMomenta;
-use collective_integrators::{AnyState, Integrator, Scheme, Start, Step, StepError, VectorField};
-use core::cell::RefCell;
+use collective_integrators::{AnyState, Integrator, Start, Step, StepError, VectorField};
 use lie_poisson::{Real, State};
 use lie_poisson_formulas::Formula;
 use momentum_map::LiftError;
+use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
 
-/// A scheme applied to ż = X_(h∘J)(z), of which the momenta J(z) are read.
-pub(crate) struct RealisedCollective<S> {
-    pub(crate) scheme: S,
+/// The number of momenta that need no storage on the heap.
+const FEW: usize = 16;
+
+/// The field ż = X_(h∘J)(z).
+pub(crate) struct RealisedField {
     pub(crate) momenta: Arc<QuadraticMomenta>,
     /// The Hamiltonian for the bracket of the momenta.
     pub(crate) hamiltonian: Formula,
 }
 
-/// The storage of a step.
-pub(crate) struct RealisedWorkspace<W, T> {
-    scheme: W,
-    momentum: RefCell<Vec<T>>,
-}
-
-struct RealisedField<'a, T> {
-    momenta: &'a QuadraticMomenta,
-    hamiltonian: &'a Formula,
-    momentum: &'a RefCell<Vec<T>>,
-}
-
-impl<T: Real> VectorField<T> for RealisedField<'_, T> {
+impl<T: Real> VectorField<T> for RealisedField {
     type Point = AnyState<T>;
 
     fn at(&self, z: &AnyState<T>) -> AnyState<T> {
@@ -37,9 +27,10 @@ impl<T: Real> VectorField<T> for RealisedField<'_, T> {
         value
     }
 
+    #[cfg_attr(optimised, inline(always))]
     fn at_into(&self, z: &AnyState<T>, value: &mut AnyState<T>) {
-        let mu = &mut *self.momentum.borrow_mut();
-        self.momenta.values(z.as_slice(), mu);
+        let mut mu: SmallVec<[T; FEW]> = smallvec![T::zero(); self.momenta.count()];
+        self.momenta.values(z.as_slice(), &mut mu);
         self.hamiltonian.with_differential(
             mu.len(),
             |i| mu[i],
@@ -50,42 +41,44 @@ impl<T: Real> VectorField<T> for RealisedField<'_, T> {
     }
 }
 
-impl<S> RealisedCollective<S> {
+/// An integrator of the [field](RealisedField), of which the momenta J(z) are read.
+pub(crate) struct RealisedCollective<I> {
+    pub(crate) motion: I,
+    pub(crate) momenta: Arc<QuadraticMomenta>,
+}
+
+impl<I> RealisedCollective<I> {
     fn momentum_of<T: Real>(&self, z: &AnyState<T>) -> AnyState<T> {
-        let mut mu = vec![T::zero(); self.momenta.count()];
+        let mut mu: SmallVec<[T; FEW]> = smallvec![T::zero(); self.momenta.count()];
         self.momenta.values(z.as_slice(), &mut mu);
         AnyState::from_slice(&mu)
     }
 }
 
-impl<S: Scheme, T: Real> Integrator<T> for RealisedCollective<S> {
+impl<I: Integrator<T, State = AnyState<T>>, T: Real> Integrator<T> for RealisedCollective<I> {
     type State = AnyState<T>;
     type Momentum = AnyState<T>;
-    type Workspace = RealisedWorkspace<S::Workspace<AnyState<T>>, T>;
+    type Workspace = I::Workspace;
 
-    fn workspace(&self) -> Self::Workspace {
-        let momentum = RefCell::new(vec![T::zero(); self.momenta.count()]);
-        RealisedWorkspace { scheme: self.scheme.workspace(), momentum }
+    fn workspace(&self) -> I::Workspace {
+        self.motion.workspace()
     }
 
     fn step(
         &self,
         state: &AnyState<T>,
         step: f64,
-        workspace: &mut Self::Workspace,
+        workspace: &mut I::Workspace,
     ) -> Result<Step<AnyState<T>>, StepError> {
-        let RealisedWorkspace { scheme, momentum } = workspace;
-        let field =
-            RealisedField { momenta: &self.momenta, hamiltonian: &self.hamiltonian, momentum };
-        let made = self.scheme.step(&field, state, step, scheme)?;
+        let made = self.motion.step(state, step, workspace)?;
         match self.momentum_of(&made.point).is_finite() {
             true => Ok(made),
             false => Err(StepError::NotFinite),
         }
     }
 
-    fn forget(&self, workspace: &mut Self::Workspace) {
-        self.scheme.forget(&mut workspace.scheme);
+    fn forget(&self, workspace: &mut I::Workspace) {
+        self.motion.forget(workspace);
     }
 
     fn momentum(&self, state: &AnyState<T>) -> AnyState<T> {
@@ -93,7 +86,7 @@ impl<S: Scheme, T: Real> Integrator<T> for RealisedCollective<S> {
     }
 }
 
-impl<S: Scheme> Start for RealisedCollective<S> {
+impl<I: Integrator<State = AnyState>> Start for RealisedCollective<I> {
     fn start(&self, mu: &AnyState) -> Result<AnyState, LiftError> {
         Ok(AnyState::from_slice(&self.momenta.lift(mu.as_slice())?))
     }

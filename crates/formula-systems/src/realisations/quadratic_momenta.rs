@@ -221,6 +221,7 @@ impl QuadraticMomenta {
     }
 
     /// Writes the momenta J_a(z). Those for which there is no room are left out.
+    #[cfg_attr(optimised, inline(always))]
     pub fn values<T: Real>(&self, z: &[T], momenta: &mut [T]) {
         momenta.fill(T::zero());
         for &(a, i, j, value) in &self.entries {
@@ -231,6 +232,7 @@ impl QuadraticMomenta {
     }
 
     /// Writes the Hamiltonian vector of Σ ξ_a J_a at z: (∂/∂p, −∂/∂q).
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn generator<T: Real>(&self, xi: &[T], z: &[T], vector: &mut [T]) {
         vector.fill(T::zero());
         let m = self.freedoms;

@@ -323,6 +323,7 @@ impl Formula {
     /// assert!(h.with_differential(2, |i| i as f64, <[f64]>::is_empty));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[cfg_attr(optimised, inline(always))]
     pub fn with_differential<T: Real, R>(
         &self,
         count: usize,

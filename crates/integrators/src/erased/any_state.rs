@@ -114,24 +114,24 @@ impl<T: Real> Clone for AnyState<T> {
     }
 }
 
-/// Raises the largest magnitude in each block to those of the numbers, and adds all magnitudes to the sum. Each block is a
-/// part of a slice, so that it is found once.
+/// Raises the largest magnitude in each block to those of its numbers, and adds all magnitudes to the sum.
+#[cfg_attr(optimised, inline(always))]
 fn measure<T: Real>(
     BlockEnds(ends): BlockEnds,
-    numbers: impl Iterator<Item = T>,
+    number: impl Fn(usize) -> T,
     largest: &mut Four<T>,
     sum: &mut T,
 ) {
-    let (mut numbers, mut begin) = (numbers, 0);
+    let mut begin = 0;
     for (block, end) in ends.into_iter().enumerate() {
         let mut most = largest.at(block);
-        for number in numbers.by_ref().take(end.saturating_sub(begin)) {
-            let size = number.magnitude();
+        for i in begin..end {
+            let size = number(i).magnitude();
             most = size.maximum(most);
             *sum += size;
         }
         largest.set(block, most);
-        begin = end;
+        begin = begin.max(end);
     }
 }
 
@@ -162,6 +162,7 @@ impl<T: Real> State for AnyState<T> {
         pool.push(self);
     }
 
+    #[cfg_attr(optimised, inline(always))]
     fn coordinate(&self, i: usize) -> T {
         self.values.get(i).copied().unwrap_or_else(T::zero)
     }
@@ -181,17 +182,35 @@ impl<T: Real> State for AnyState<T> {
         usize::from(i >= first) + usize::from(i >= second) + usize::from(i >= third)
     }
 
+    #[cfg_attr(optimised, inline(always))]
     fn set_coordinates(&mut self, f: impl Fn(usize) -> T) {
-        self.values.iter_mut().enumerate().for_each(|(i, value)| *value = f(i));
+        for (i, value) in self.values.iter_mut().enumerate() {
+            *value = f(i);
+        }
     }
 
+    #[cfg_attr(optimised, inline(always))]
     fn measure(&self, largest: &mut Four<T>, sum: &mut T) {
-        measure(self.blocks, self.values.iter().copied(), largest, sum);
+        let values = self.values.as_slice();
+        measure(
+            self.blocks,
+            #[cfg_attr(optimised, inline(always))]
+            |i| values[i],
+            largest,
+            sum,
+        );
     }
 
+    #[cfg_attr(optimised, inline(always))]
     fn measure_difference(&self, x: &Self, largest: &mut Four<T>, sum: &mut T) {
-        let differences = (0..self.values.len()).map(|i| self.values[i] - x.coordinate(i));
-        measure(self.blocks, differences, largest, sum);
+        let values = self.values.as_slice();
+        measure(
+            self.blocks,
+            #[cfg_attr(optimised, inline(always))]
+            |i| values[i] - x.coordinate(i),
+            largest,
+            sum,
+        );
     }
 
     fn scale_in_place(&mut self, s: T) {

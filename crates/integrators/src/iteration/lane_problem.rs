@@ -6,7 +6,7 @@ use crate::iteration::stage_rows::{StageColumns, StageRow, StageRows, WIDTH};
 use crate::iteration::stage_scale::{Scale, StageScale, SweepChange};
 use crate::iteration::stage_solver::{StageSolver, Unconverged};
 use core::hint::black_box;
-use lie_poisson::{Lanes, Mask, Real, State, Vector};
+use lie_poisson::{Lanes, Mask, Real, State};
 
 /// The number of iterations in the solution of stage equations, or the error of the iteration.
 pub type Outcome<V> = Result<usize, Unconverged<MaskOf<V>>>;
@@ -38,18 +38,21 @@ pub struct LaneProblem<'a, V: State> {
 const WATCHED: usize = 4;
 
 impl<V: State> LaneProblem<'_, V> {
-    /// Solves the equations by sweeps with room for S stages side by side, for a field over the lanes `T`.
+    /// Solves the equations by sweeps with room for S stages side by side, for a field over the lanes `T`, which writes its
+    /// value to a vector of the space of `blank`.
     #[cfg_attr(optimised, inline(always))]
-    pub(crate) fn solve<T: Lanes, W: Vector<Scalar = T>, const S: usize>(
+    pub(crate) fn solve<T: Lanes, W: State<Scalar = T>, const S: usize>(
         &mut self,
-        field: impl Fn(&W) -> W,
+        blank: W,
+        field: impl Fn(&W, &mut W),
     ) -> Outcome<V> {
+        let mut vectors = [blank.clone(), blank.clone(), blank];
         let mut unwatched = self.usual.saturating_sub(WATCHED).min(self.solver.max_iterations / 2);
         let outcome = loop {
             self.write_rows();
-            let outcome = self.iterate::<T, W, S>(&field, unwatched);
+            let outcome = self.iterate::<T, W, S>(&field, &mut vectors, unwatched);
             // What has not been watched may have led to another solution, or away from all.
-            if unwatched == 0 || outcome.is_ok() && self.stays_near_guess::<T, W, S>() {
+            if unwatched == 0 || outcome.is_ok() && self.stays_near_guess::<T, W, S>(&mut vectors) {
                 break outcome;
             }
             unwatched = 0;
@@ -60,9 +63,10 @@ impl<V: State> LaneProblem<'_, V> {
 
     /// Makes sweeps from the guess in the rows until they have converged, the first ones without measuring their changes.
     #[cfg_attr(optimised, inline(always))]
-    fn iterate<T: Lanes, W: Vector<Scalar = T>, const S: usize>(
+    fn iterate<T: Lanes, W: State<Scalar = T>, const S: usize>(
         &mut self,
-        field: &impl Fn(&W) -> W,
+        field: &impl Fn(&W, &mut W),
+        vectors: &mut [W; 3],
         unwatched: usize,
     ) -> Outcome<V> {
         let Self { columns, solver, scale, z, step, pace, rows, .. } = self;
@@ -84,7 +88,7 @@ impl<V: State> LaneProblem<'_, V> {
                         SweepChange { change: BlockSizes::zero(), size: BlockSizes::zero() };
                     let how = (left == 0, near.any());
                     for block in 0..S.div_ceil(T::COUNT) {
-                        sweep.advance::<T, W, S>(field, how, block, rows, &mut progress);
+                        sweep.advance::<T, W, S>(field, how, block, (rows, vectors), &mut progress);
                     }
                     if left == 0 {
                         let SweepChange { change, size } = &progress;
@@ -100,15 +104,18 @@ impl<V: State> LaneProblem<'_, V> {
         outcome.map(|watched| unwatched + watched)
     }
 
-    /// Returns whether the stage derivatives in the rows are near the guess, block by block.
+    /// Returns whether the stage derivatives in the rows are near the guess, block by block. The vectors are overwritten.
     #[cfg_attr(optimised, inline(always))]
-    fn stays_near_guess<T: Lanes, W: Vector<Scalar = T>, const S: usize>(&self) -> bool {
+    fn stays_near_guess<T: Lanes, W: State<Scalar = T>, const S: usize>(
+        &self,
+        [k, guess, _]: &mut [W; 3],
+    ) -> bool {
         let (mut apart, mut size) = (BlockSizes::zero(), BlockSizes::zero());
         for block in 0..S.div_ceil(T::COUNT) {
-            let [k, guess] = [&self.rows.k, &self.rows.guess]
-                .map(|rows| W::from_coordinates(|c| rows[c].load(block)));
-            apart.include_difference(&k, &guess);
-            size.include(&k);
+            k.set_coordinates(|c| self.rows.k[c].load(block));
+            guess.set_coordinates(|c| self.rows.guess[c].load(block));
+            apart.include_difference(k, guess);
+            size.include(k);
         }
         let progress = SweepChange { change: largest_lanes(&apart), size: largest_lanes(&size) };
         let (apart, size) = self.scale.compare(&progress);
@@ -151,14 +158,14 @@ struct Sweep<'a, V> {
 
 impl<V: State> Sweep<'_, V> {
     /// Replaces the stage derivatives in a block of lanes, and measures the changes if they are `watched`. If they are
-    /// `near` the solution, the sums with the low parts of the coefficients are computed first.
+    /// `near` the solution, the sums with the low parts of the coefficients are computed first. The vectors are overwritten.
     #[cfg_attr(optimised, inline(always))]
-    fn advance<T: Lanes, W: Vector<Scalar = T>, const S: usize>(
+    fn advance<T: Lanes, W: State<Scalar = T>, const S: usize>(
         &self,
-        field: &impl Fn(&W) -> W,
+        field: &impl Fn(&W, &mut W),
         (watched, near): (bool, bool),
         block: usize,
-        StageRows { k, small, .. }: &mut StageRows,
+        (StageRows { k, small, .. }, [point, value, before]): (&mut StageRows, &mut [W; 3]),
         progress: &mut SweepChange<W>,
     ) {
         if near && let Some(low) = &self.columns.low {
@@ -166,9 +173,10 @@ impl<V: State> Sweep<'_, V> {
                 small.store(combination::<T, S>(low, k, T::zero(), block), block);
             }
         }
-        let (k, small) = (&mut k[..W::DIM], &small[..W::DIM]);
+        let dimension = point.dimension();
+        let (k, small) = (&mut k[..dimension], &small[..dimension]);
         let h = T::from_f64(self.step);
-        let point = W::from_coordinates(
+        point.set_coordinates(
             #[cfg_attr(optimised, inline(always))]
             |c| {
                 let small = small[c].load(block);
@@ -176,14 +184,14 @@ impl<V: State> Sweep<'_, V> {
                 sum * h + T::from_f64(number(self.z.coordinate(c)))
             },
         );
-        let value = field(&point);
+        field(point, value);
         if watched {
-            let before = W::from_coordinates(
+            before.set_coordinates(
                 #[cfg_attr(optimised, inline(always))]
                 |c| k[c].load(block),
             );
-            progress.change.include_difference(&value, &before);
-            progress.size.include(&value);
+            progress.change.include_difference(value, before);
+            progress.size.include(value);
         }
         for (c, row) in k.iter_mut().enumerate() {
             row.store(value.coordinate(c), block);
@@ -214,9 +222,7 @@ fn number<T: Real>(x: T) -> f64 {
 
 /// Returns the largest sizes in all lanes.
 #[cfg_attr(optimised, inline(always))]
-fn largest_lanes<T: Lanes, W: Vector<Scalar = T>, V: State>(
-    sizes: &BlockSizes<W>,
-) -> BlockSizes<V> {
+fn largest_lanes<T: Lanes, W: State<Scalar = T>, V: State>(sizes: &BlockSizes<W>) -> BlockSizes<V> {
     let all = |x: T, f: fn(f64, f64) -> f64| (1..T::COUNT).fold(x.lane(0), |y, i| f(x.lane(i), y));
     BlockSizes::from_parts(
         #[cfg_attr(optimised, inline(always))]

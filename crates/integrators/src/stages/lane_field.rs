@@ -4,7 +4,7 @@ use crate::iteration::lane_problem::{LaneProblem, Outcome};
 use crate::stage_frame::StageFrame;
 use crate::vector_field::VectorField;
 use lie_poisson::{
-    InstructionSet, Lanes, StorageOver, TaskOver, UnfusedTask, UnfusedWorkspace, Vector,
+    InstructionSet, Lanes, State, StorageOver, TaskOver, UnfusedTask, UnfusedWorkspace,
     dispatch_unfused,
 };
 
@@ -15,7 +15,7 @@ use lie_poisson::{
     message = "the vector field `{Self}` is not known over SIMD lanes",
     note = "a closure serves `f64` alone: implement `VectorField<T>` or `Hamiltonian<_, T>` for every `T: Real`"
 )]
-pub trait LaneField: VectorField<f64, Point: Vector<Scalar = f64>> {
+pub trait LaneField: VectorField<f64> {
     /// Solves stage equations with one stage in each lane of a register. Returns `None` if the processor lacks the
     /// instructions.
     fn solve_over_lanes(
@@ -28,7 +28,7 @@ pub trait LaneField: VectorField<f64, Point: Vector<Scalar = f64>> {
 impl<F, V> LaneField for F
 where
     F: VectorField<f64, Point = V>,
-    V: Vector<Scalar = f64>,
+    V: State<Scalar = f64>,
     for<'a, 'b> Attempt<'a, 'b, F, V, 4>: UnfusedTask<NoStorage>,
     for<'a, 'b> Attempt<'a, 'b, F, V, 8>: UnfusedTask<NoStorage>,
 {
@@ -68,7 +68,7 @@ impl<T: Lanes> StorageOver<T> for NoStorage {
 
 /// The task to solve stage equations with room for S stages.
 #[derive(Debug)]
-pub struct Attempt<'a, 'b, F, V: Vector, const S: usize> {
+pub struct Attempt<'a, 'b, F, V: State, const S: usize> {
     field: &'a F,
     problem: &'a mut LaneProblem<'b, V>,
     outcome: &'a mut Option<Outcome<V>>,
@@ -76,16 +76,18 @@ pub struct Attempt<'a, 'b, F, V: Vector, const S: usize> {
 
 impl<F, V, T, const S: usize> TaskOver<T, NoStorage> for Attempt<'_, '_, F, V, S>
 where
-    F: VectorField<f64, Point = V> + VectorField<T, Point: Vector>,
-    V: Vector<Scalar = f64>,
+    F: VectorField<f64, Point = V> + VectorField<T, Point: State<Shape = V::Shape>>,
+    V: State<Scalar = f64>,
     T: Lanes,
 {
     #[cfg_attr(optimised, inline(always))]
     fn run(self, (): &mut ()) {
         let Self { field, problem, outcome } = self;
-        *outcome = Some(problem.solve::<T, <F as VectorField<T>>::Point, S>(
+        let blank = <<F as VectorField<T>>::Point>::zeros_of(&problem.z.shape());
+        *outcome = Some(problem.solve::<T, _, S>(
+            blank,
             #[cfg_attr(optimised, inline(always))]
-            |z| VectorField::<T>::at(field, z),
+            |z, value| VectorField::<T>::at_into(field, z, value),
         ));
     }
 }

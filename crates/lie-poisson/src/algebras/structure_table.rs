@@ -150,6 +150,7 @@ impl StructureTable {
     }
 
     /// Writes ad∗_ξ μ, with the coordinates `Σ c[i][j][k] ξ_i μ_k`. Coordinates that a slice lacks count as zero.
+    #[cfg_attr(optimised, inline(always))]
     pub fn coadjoint<T: Real>(&self, xi: &[T], mu: &[T], rate: &mut [T]) {
         rate.fill(T::zero());
         for &StructureEntry { i, j, k, value } in &*self.entries {
