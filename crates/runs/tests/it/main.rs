@@ -11,4 +11,5 @@ mod reports;
 mod statistics_of_paths;
 mod rows_of_runs;
 mod support;
+mod thermal_lattices;
 mod tangents_of_long_steps;
