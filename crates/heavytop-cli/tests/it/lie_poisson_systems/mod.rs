@@ -5,6 +5,6 @@ mod system_sections;
 mod system_sweeps;
 mod systems;
 mod systems_with_forces;
-mod thermal_lattices;
+mod lattices_with_noise;
 mod tops_with_forces;
 mod refused_forces;

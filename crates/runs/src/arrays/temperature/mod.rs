@@ -3,3 +3,4 @@
 pub(crate) mod lattice_terms;
 pub(crate) mod thermal_lattice;
 mod lattice_paths;
+mod lattice_quantities;

@@ -1,11 +1,12 @@
 //! A lattice of spins with friction, also at a temperature, as a model: [`ThermalLattice`].
 
 use super::lattice_paths::LatticePaths;
+use super::lattice_quantities::LatticeQuantities;
 use super::lattice_terms::LatticeTerms;
 use crate::arrays::array_system::ArraySystem;
 use crate::arrays::renewed::resumable_after;
 use crate::arrays::sites::open_lattice::OpenLattice;
-use crate::arrays::sites::sites_system::{momenta, numbers, total};
+use crate::arrays::sites::sites_system::{momenta, numbers};
 use crate::error::RunFailure;
 use crate::models::conserved::Conserved;
 use crate::models::model::Model;
@@ -163,7 +164,7 @@ impl Model for ThermalLattice {
     }
 
     fn conserved(&self, _start: &[f64]) -> Box<dyn Conserved + '_> {
-        Box::new(Quantities(self))
+        Box::new(LatticeQuantities(self.langevin.hamiltonian()))
     }
 
     /// There are no tangent maps.
@@ -222,40 +223,5 @@ impl Model for ThermalLattice {
 
     fn formula(&self, conserved: &str) -> Option<String> {
         self.system.formula(conserved)
-    }
-}
-
-/// The name of the sum of the squares of all lengths, which alone is kept.
-const LENGTHS: &str = "C";
-
-/// The energy, the total spin and the lengths of a lattice.
-struct Quantities<'a>(&'a ThermalLattice);
-
-impl Conserved for Quantities<'_> {
-    fn names(&self) -> Vec<String> {
-        ["h", "M1", "M2", "M3", LENGTHS].map(str::to_owned).to_vec()
-    }
-
-    fn is_kept(&self, name: &str) -> bool {
-        name == LENGTHS
-    }
-
-    /// They are NaN for a state of another dimension.
-    fn append(&self, _time: f64, momentum: &[f64], values: &mut Vec<f64>) {
-        if momentum.len() != self.0.system.dimension() {
-            values.extend([f64::NAN; 5]);
-            return;
-        }
-        let spins = momenta(momentum);
-        values.push(self.0.langevin.hamiltonian().value(&spins));
-        values.extend(total(&spins.0).iter());
-        values.push(spins.0.iter().map(Vector3::norm_squared).sum());
-    }
-
-    fn without_value(&self, time: f64, momentum: &[f64]) -> String {
-        let (mut values, names) = (Vec::new(), self.names());
-        self.append(time, momentum, &mut values);
-        let found = names.iter().zip(&values).find(|(_, value)| !value.is_finite());
-        found.map_or("a quantity has no value".into(), |(name, value)| format!("{name} is {value}"))
     }
 }

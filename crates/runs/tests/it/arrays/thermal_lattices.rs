@@ -1,6 +1,6 @@
 //! Lattices of spins with friction, and at a temperature.
 
-use crate::array_systems::{lattice, system};
+use crate::arrays::array_systems::{lattice, system};
 use crate::support::pace;
 use collective_integrators::diagnostics::SystemScales;
 use collective_integrators::{AnyState, Integrator, Start};
