@@ -45,6 +45,12 @@ pub enum RunFailure {
         /// The formulation that has them.
         has: Formulation,
     },
+    /// The integrator of a system with friction or noise has no tangent maps.
+    #[error("{kind} with friction or noise has no tangent vectors")]
+    NoTangentsOfForces {
+        /// The name of the kind of system.
+        kind: &'static str,
+    },
     /// A saved state does not fit the integrator of the run.
     #[error("the saved state has {found} numbers, that of the integrator {expected}")]
     SavedState {

@@ -35,6 +35,7 @@
 //! | the model of a system by formula | [`FormulaSystem`](lie_poisson_formula_systems::FormulaSystem) |
 //! | the model of a system, or of a top, that is driven, damped, noisy or forced | [`OpenSystem`](lie_poisson_formula_systems::OpenSystem), [`OpenTop`] |
 //! | a lattice of spins, a fluid on the sphere, any number of vortices, by name | [`ArrayKind`], [`ArraySystem`], [`Arguments`] |
+//! | a lattice of spins with friction, or at a temperature | [`ThermalLattice`], [`LatticeTerms`], [`LatticeNoise`], [`SpinDamping`] |
 //! | the rows of a run one by one | [`Experiment`] |
 //! | where functions of the momentum are zero along a run | [`EventFunctions`] |
 //! | means, deviations and quantiles over many paths of a motion with noise | [`PathEnsemble`], [`PathRow`], [`PathStatistics`] |
@@ -68,7 +69,10 @@ pub mod contests;
 pub use arrays::arguments::Arguments;
 pub use arrays::array_kind::ArrayKind;
 pub use arrays::array_system::ArraySystem;
+pub use arrays::temperature::lattice_terms::{LatticeNoise, LatticeTerms};
+pub use arrays::temperature::thermal_lattice::ThermalLattice;
 pub use error::RunFailure;
+pub use lie_poisson_systems::SpinDamping;
 pub use models::conserved::Conserved;
 pub use models::model::Model;
 pub use models::open_top::OpenTop;

@@ -16,8 +16,8 @@ use heavytop::methods::Formulation;
 use heavytop::{HeavyTop, PrincipalAxes};
 use lie_poisson::{InstructionSet, Se3Dual};
 use lie_poisson_formula_systems::FormulaSystem;
-use lie_poisson_runs::TopQuantity;
 use lie_poisson_runs::step_angle::require_sane_step;
+use lie_poisson_runs::{ThermalLattice, TopQuantity};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -78,9 +78,13 @@ impl Config {
     /// # Errors
     /// If there is no such run.
     pub fn run(&self) -> Result<Box<Experiment>, Error> {
-        if let Some(system) = self.system()?.filter(|system| system.array_kind().is_some()) {
+        if let Some(system) = self.system()?
+            && let Some(kind) = system.array_kind()
+        {
             self.require_output_of_system()?;
-            self.require_closed()?;
+            if let Some(lattice) = self.thermal_lattice(kind)? {
+                return Ok(Box::new(lattice));
+            }
             if let Some(arrays) = system.array_experiment(self.integrator, self.output.every)? {
                 return Ok(Box::new(arrays));
             }
@@ -190,7 +194,13 @@ impl Config {
     /// Returns the configuration with all keys of `[integrator]` that `simulate` uses, also those left out.
     #[must_use]
     pub(crate) fn with_integrator(&self) -> Self {
-        let mut integrator: IntegratorConfig = self.integrator.or(Integration::default()).into();
+        let usual = Integration::default();
+        if self.is_thermal_lattice() {
+            let (formulation, scheme) = (ThermalLattice::FORMULATION, ThermalLattice::SCHEME);
+            let own = Integration { formulation, scheme, ..usual };
+            return Self { integrator: self.integrator.or(own).into(), ..self.clone() };
+        }
+        let mut integrator: IntegratorConfig = self.integrator.or(usual).into();
         if self.system.is_some() || self.open_table().is_some() {
             // The formulation of a system depends on its algebra, and that of an open top on its forces.
             integrator.formulation = self.integrator.formulation;

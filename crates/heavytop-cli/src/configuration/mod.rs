@@ -20,7 +20,9 @@ pub(crate) use config::IMPOSSIBLE;
 pub use events_config::EventsConfig;
 pub use integrator_config::{Instructions, Integration, IntegratorConfig};
 pub use notes::Notes;
-pub use open::{DampingConfig, Element, Formulas, InnerProductConfig, InputConfig, NoiseConfig};
+pub use open::{
+    DampingConfig, DampingForm, Element, Formulas, InnerProductConfig, InputConfig, NoiseConfig,
+};
 pub use output_config::OutputConfig;
 pub use plane_limits::PlaneLimits;
 pub use preset::Preset;

@@ -12,7 +12,7 @@ Event = tuple[Source, int, int]
 Damping = tuple[float, Optional[Sequence[float]]]
 Noise = tuple[
     Union[tuple[float], tuple[float, Optional[Sequence[float]]], Sequence[Sequence[Source]]],
-    tuple[int, int, Optional[float], Optional[float]],
+    Path,
     bool,
 ]
 Open = tuple[
@@ -22,6 +22,8 @@ Open = tuple[
     Optional[Noise],
     Optional[Sequence[Source]],
 ]
+Path = tuple[int, int, Optional[float], Optional[float]]
+Lattice = tuple[Optional[tuple[float, bool]], Optional[tuple[float, Path]]]
 Callback = tuple[Callable[[Floats], float], int, int]
 Accuracy = tuple[float, Optional[float], Optional[str]]
 
@@ -156,7 +158,10 @@ class Arrays:
     hamiltonian: Optional[str]
     formulations: list[str]
     def __reduce__(self) -> tuple[object, ...]: ...
-    def __new__(cls, kind: str, parameters: Sequence[Parameter]) -> Arrays: ...
+    def __new__(
+        cls, kind: str, parameters: Sequence[Parameter], open: Optional[Lattice]
+    ) -> Arrays: ...
+    def on_path(self, path: int) -> Arrays: ...
     def start(self, given: Sequence[Parameter]) -> Floats: ...
     kept: list[bool]
     is_open: bool

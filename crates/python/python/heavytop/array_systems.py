@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from .arguments import array, count, numbers
 from .events import Events, NativeEvent, event_parts, list_of
+from .open_terms import native_lattice
 from .solution import Floats, Solution
 from .system import System
 from .system_description import Parameters, State
@@ -41,12 +42,20 @@ class ArraySystem(System):
     Args:
         kind: the name of the system, such as "spin-lattice".
         parameters: its parameters by name; those that are missing are named with their meaning.
+        damping: of a lattice of spins, as for `SpinLattice`.
+        noise: of a lattice of spins, as for `SpinLattice`.
     """
 
-    def __init__(self, kind: str, parameters: Parameters) -> None:
+    def __init__(
+        self,
+        kind: str,
+        parameters: Parameters,
+        damping: Union[None, float, Mapping[str, Any]] = None,
+        noise: Optional[Mapping[str, Any]] = None,
+    ) -> None:
         self._numbers = numbers_of("parameters", parameters)
         self._kind = self._algebra = str(kind)
-        self._arrays = _native.Arrays(self._kind, self._numbers)
+        self._arrays = _native.Arrays(self._kind, self._numbers, native_lattice(damping, noise))
         # The methods of `System` need no more of it than it has.
         self._system: Any = self._arrays
         self._names = {}
@@ -72,7 +81,7 @@ class ArraySystem(System):
 
     @property
     def invariants(self) -> tuple[str, ...]:
-        """The symbols of what is conserved."""
+        """The symbols of what is conserved, or would be without friction and noise."""
         return tuple(self._arrays.invariants)
 
     @property
@@ -97,6 +106,9 @@ class ArraySystem(System):
         """Returns the arrays at states of shape (d,) or (d, n), by name, of their shapes or with an axis of n before them."""
         states = self._states("y", y)
         return {name: arrays_of(self._arrays.arrays, states.T, name) for name in self._names}
+
+    def _usual_scheme(self) -> str:
+        return "implicit-midpoint" if self._arrays.is_open else super()._usual_scheme()
 
     def _warn_of_end(self, states: Floats, stacklevel: int) -> None:
         """Nothing: sums over arrays are no small differences."""
@@ -183,6 +195,11 @@ class SpinLattice(ArraySystem):
         axis: a, of which the direction counts.
         bonds: rows (d1, d2, d3, J) of further bonds, each to the spin at that offset.
         periodic: whether the axes are rings or have open ends, for all axes or for each.
+        damping: the friction theta of Landau and Lifshitz, ds/dt = s x H - theta s x (s x H); or {"friction": alpha, "form":
+            "gilbert"}, ds/dt = s x H - (alpha/|s|) s x ds/dt. It lowers h and keeps every |s|.
+        noise: {"temperature": kT}, which goes with a damping: after a while states have the weight exp(-h/kT). Besides "seed" (1), "path"
+            (0), "interval" and "bound" as for `System`. With damping or noise the method is "direct", "implicit-midpoint", without
+            tangent vectors; the energy h, the total spin (M1, M2, M3) and C have values, of which C is kept.
 
     Example:
         A spin wave on a cone about z turns at 2 J cos(cone) (1 - cos k):
@@ -206,6 +223,8 @@ class SpinLattice(ArraySystem):
         axis: ArrayLike = (0.0, 0.0, 1.0),
         bonds: Optional[ArrayLike] = None,
         periodic: Union[bool, Sequence[bool]] = True,
+        damping: Union[None, float, Mapping[str, Any]] = None,
+        noise: Optional[Mapping[str, Any]] = None,
     ) -> None:
         given: dict[str, Any] = {"exchange": exchange, "anisotropy": anisotropy, "field": field}
         if bonds is not None:
@@ -218,7 +237,7 @@ class SpinLattice(ArraySystem):
             raise ValueError(f"periodic must be True or False, for all axes or for each, got {periodic!r}")
         given = {name: value for name, value in given.items() if value is not None}
         shaped = {"shape": np.atleast_1d(shape), "axis": axis, "periodic": rings.astype(float)}
-        super().__init__("spin-lattice", {**shaped, **given})
+        super().__init__("spin-lattice", {**shaped, **given}, damping, noise)
 
 
 class VibratingLattice(ArraySystem):

@@ -83,7 +83,7 @@ def solve_many(
     *,
     step: float,
     end: float,
-    scheme: str = "gauss-8",
+    scheme: Optional[str] = None,
     formulation: Optional[str] = None,
 ) -> Ends:
     """Follows many tops, or many states of a system, from t = 0 to the end, and returns their last states alone.
@@ -106,7 +106,8 @@ def solve_many(
         step: the time step, s.
         end: the end, s: a multiple of the step, to within 1e-9 of itself. An end before 0 is reached backward in time.
         scheme: for tops "implicit-midpoint", "gauss-4", "gauss-6", "gauss-8", "gauss-10", "gauss-12" or "gauss-16", which
-            are collective and conserve the Casimirs to round-off; for a system any that `System.solve` has.
+            are collective and conserve the Casimirs to round-off; for a system any that `System.solve` has. Without it "gauss-8",
+            or what `System.solve` has then.
         formulation: of a system, as for `System.solve`; tops have none but "collective".
 
     Raises:
@@ -132,7 +133,7 @@ def solve_many(
     if formulation not in (None, "collective"):
         raise ValueError(f"formulation must be collective for tops, got {formulation!r}")
     starts = states("y", y)
-    scheme = choice("scheme", scheme, SCHEMES_OF_MANY)
+    scheme = choice("scheme", "gauss-8" if scheme is None else scheme, SCHEMES_OF_MANY)
     every = [tops._top] if isinstance(tops, Top) else natives(tops)
     if isinstance(tops, Top):
         last, failures = _native.advance_states(tops._top, starts.T, step, end, scheme)

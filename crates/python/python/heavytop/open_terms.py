@@ -129,9 +129,7 @@ def native_damping(names: OpenNames, damping: Union[float, Mapping[str, Any]]) -
     """Returns the friction and the rows of its inner product."""
     given = damping if isinstance(damping, Mapping) else {"friction": damping}
     only("damping", given, ("friction", "inner_product"))
-    if "friction" not in given:
-        raise ValueError("damping has no friction")
-    return real("friction", given["friction"]), inner_product(names, given.get("inner_product"))
+    return friction_of(given), inner_product(names, given.get("inner_product"))
 
 
 def inner_product(names: OpenNames, given: Optional[ArrayLike]) -> Optional[list[float]]:
@@ -166,13 +164,45 @@ def native_noise(names: OpenNames, noise: Mapping[str, Any]) -> _native.Noise:
         if isinstance(fields, (str, Mapping)) or callable(fields):
             raise ValueError(f"fields must be a list of fields, got {fields!r}")
         source = [names.element(f"fields[{k}]", field) for k, field in enumerate(fields)]
+    numbers = native_path(noise)
+    rule = choice("rule", noise.get("rule", "together"), ("together", "alternating"))
+    return source, numbers, rule == "alternating"
+
+
+def native_path(noise: Mapping[str, Any]) -> _native.Path:
+    """Returns the seed, the path, the interval and the bound of a noise."""
     interval = None if noise.get("interval") is None else real("interval", noise["interval"])
     bound = None if noise.get("bound") in (None, math.inf) else real("bound", noise["bound"])
     # None is the bound of the library.
     bound = math.inf if noise.get("bound") == math.inf else bound
-    numbers = (count("seed", noise.get("seed", 1), 0), count("path", noise.get("path", 0), 0), interval, bound)
-    rule = choice("rule", noise.get("rule", "together"), ("together", "alternating"))
-    return source, numbers, rule == "alternating"
+    return count("seed", noise.get("seed", 1), 0), count("path", noise.get("path", 0), 0), interval, bound
+
+
+def native_lattice(damping: Union[None, float, Mapping[str, Any]], noise: Optional[Mapping[str, Any]]) -> Optional[_native.Lattice]:
+    """Returns the friction and the noise of spins on a lattice as the native part takes them; None if there are none."""
+    if damping is None and noise is None:
+        return None
+    friction, path = None, None
+    if damping is not None:
+        given = damping if isinstance(damping, Mapping) else {"friction": damping}
+        only("damping of a lattice", given, ("friction", "form"))
+        form = choice("form", given.get("form", "landau-lifshitz"), ("landau-lifshitz", "gilbert"))
+        friction = friction_of(given), form == "gilbert"
+    if noise is not None:
+        if not isinstance(noise, Mapping):
+            raise ValueError(f"noise must be a mapping such as {{'temperature': 0.5}}, got {noise!r}")
+        only("noise of a lattice", noise, ("temperature", "seed", "path", "interval", "bound"))
+        if "temperature" not in noise:
+            raise ValueError("noise of a lattice has no temperature")
+        path = real("temperature", noise["temperature"]), native_path(noise)
+    return friction, path
+
+
+def friction_of(given: Mapping[str, Any]) -> float:
+    """Returns the friction of a damping."""
+    if "friction" not in given:
+        raise ValueError("damping has no friction")
+    return real("friction", given["friction"])
 
 
 def only(name: str, given: Mapping[str, Any], keys: Sequence[str]) -> None:

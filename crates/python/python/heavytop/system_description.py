@@ -163,7 +163,12 @@ class SystemDescription:
     def _method(self, formulation: Any, scheme: Any, tolerance: Any) -> tuple[Optional[str], str, float]:
         if formulation is not None:
             formulation = choice("formulation", formulation, self.formulations)
-        return formulation, choice("scheme", scheme, SCHEMES), tolerance_of(tolerance)
+        scheme = choice("scheme", self._usual_scheme() if scheme is None else scheme, SCHEMES)
+        return formulation, scheme, tolerance_of(tolerance)
+
+    def _usual_scheme(self) -> str:
+        """The scheme of a run unless another one is asked for."""
+        return "gauss-8"
 
     def _states(self, name: str, y: ArrayLike) -> Floats:
         states = array(name, y)

@@ -14,8 +14,8 @@ pub(crate) type Accuracy = (f64, Option<f64>, Option<String>);
 pub(crate) type Check = (f64, Option<f64>);
 
 /// Returns the accuracy of a run.
-pub(crate) fn accuracy(model: &dyn Model, measured: RunAccuracy) -> Accuracy {
-    (measured.angle, measured.error, model.accuracy_warning(&measured))
+pub(crate) fn accuracy(model: &dyn Model, start: &[f64], measured: RunAccuracy) -> Accuracy {
+    (measured.angle, measured.error, model.accuracy_warning(start, &measured))
 }
 
 /// Returns the result of a check, or the error of the step that failed.

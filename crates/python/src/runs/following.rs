@@ -97,8 +97,9 @@ impl<'a> Following<'a> {
             let going = || interruption.is_going();
             let measured =
                 self.model.accuracy(&self.method, &self.start, (self.step, steps), &going);
-            interruption
-                .or(measured.map(|measured| accuracy(self.model, measured)).map_err(refused))
+            interruption.or(measured
+                .map(|measured| accuracy(self.model, &self.start, measured))
+                .map_err(refused))
         })
     }
 

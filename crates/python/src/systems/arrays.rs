@@ -1,6 +1,7 @@
 //! A system of arrays, such as a lattice of spins, as a Python class.
 
 use super::algebra::ParameterArgument;
+use super::open::{LatticeArgument, ModelOfRun, WITHOUT_PATH, lattice_terms};
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::recorded::Recorded;
@@ -11,31 +12,47 @@ use collective_integrators::diagnostics::SystemScales;
 use core::f64::consts::PI;
 use heavytop::methods::{Method, MethodError};
 use lie_poisson_formula_systems::FormulaSystemError;
-use lie_poisson_runs::{Arguments, ArrayKind, ArraySystem, Model, RunFailure};
+use lie_poisson_runs::{
+    Arguments, ArrayKind, ArraySystem, LatticeTerms, Model, RunFailure, ThermalLattice,
+};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::types::{PyAnyMethods, PyType};
 use pyo3::{Bound, PyResult, Python, pyclass, pymethods};
 
+/// The kind, the parameters, and the friction and noise of a lattice of spins.
+type Source = (String, Vec<ParameterArgument>, Option<LatticeArgument>);
+
 /// A system whose states are arrays.
+#[derive(Clone)]
 #[pyclass(frozen, module = "heavytop._native")]
 pub struct Arrays {
-    pub(crate) system: ArraySystem,
-    source: (String, Vec<ParameterArgument>),
+    system: ArraySystem,
+    /// The friction and the noise of a lattice of spins.
+    terms: Option<LatticeTerms>,
+    source: Source,
 }
 
 #[pymethods]
 impl Arrays {
     /// Creates the system of a kind with these parameters.
     #[new]
-    fn new(kind: String, arguments: Vec<ParameterArgument>) -> PyResult<Self> {
+    fn new(
+        kind: String,
+        arguments: Vec<ParameterArgument>,
+        open: Option<LatticeArgument>,
+    ) -> PyResult<Self> {
         let Some(found) = ArrayKind::named(&kind) else {
             let all: Vec<_> = ArrayKind::ALL.iter().map(|kind| kind.name).collect();
             let text = format!("there is no system of arrays {kind}; there are {}", all.join(", "));
             return Err(PyValueError::new_err(text));
         };
         let system = found.system(&given(&arguments)).map_err(refused)?;
-        Ok(Self { system, source: (kind, arguments) })
+        let terms = open.as_ref().map(lattice_terms);
+        let made = Self { system, terms, source: (kind, arguments, open) };
+        // What does not fit is refused here, whatever the step will be.
+        made.unit_model()?;
+        Ok(made)
     }
 
     /// The name and the shape of each array of a state.
@@ -44,22 +61,37 @@ impl Arrays {
         self.system.arrays()
     }
 
-    /// The symbols of what is conserved.
+    /// The symbols of what is conserved, or would be without friction and noise.
     #[getter]
-    fn invariants(&self) -> Vec<String> {
-        self.system.conserved(&[]).names()
+    fn invariants(&self) -> PyResult<Vec<String>> {
+        Ok(self.unit_model()?.conserved(&[]).names())
     }
 
-    /// Whether something drives, damps, shakes or forces the system: nothing does.
+    /// Whether there is friction or noise.
     #[getter]
     fn is_open(&self) -> bool {
-        false
+        self.terms.is_some()
     }
 
-    /// Whether the motion keeps each of them: it does.
+    /// Whether the motion keeps each of them.
     #[getter]
-    fn kept(&self) -> Vec<bool> {
-        vec![true; self.invariants().len()]
+    fn kept(&self) -> PyResult<Vec<bool>> {
+        let model = self.unit_model()?;
+        let conserved = model.conserved(&[]);
+        Ok(conserved.names().iter().map(|name| conserved.is_kept(name)).collect())
+    }
+
+    /// Returns the system on another path of its noise.
+    fn on_path(&self, path: u64) -> PyResult<Self> {
+        let mut other = self.clone();
+        let of_terms = other.terms.as_mut().and_then(|terms| terms.noise.as_mut());
+        let of_source = other.source.2.as_mut().and_then(|(_, noise)| noise.as_mut());
+        let (Some(noise), Some((_, (_, source, ..)))) = (of_terms, of_source) else {
+            return Err(PyValueError::new_err(WITHOUT_PATH));
+        };
+        (noise.path, *source) = (path, path);
+        other.unit_model()?;
+        Ok(other)
     }
 
     /// The Hamiltonian as text.
@@ -71,13 +103,14 @@ impl Arrays {
     /// The formulations that the system has, the default one first.
     #[getter]
     fn formulations(&self) -> Vec<&'static str> {
+        if self.terms.is_some() {
+            return vec![ThermalLattice::FORMULATION.name()];
+        }
         self.system.formulations().iter().map(|formulation| formulation.name()).collect()
     }
 
     /// Returns what pickle needs to make an equal system.
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> (Bound<'py, PyType>, (String, Vec<ParameterArgument>)) {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, Source) {
         (slf.get_type(), slf.get().source.clone())
     }
 
@@ -99,7 +132,8 @@ impl Arrays {
         states: PyReadonlyArray2<'py, f64>,
         _times: Option<Vec<f64>>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let conserved = self.system.conserved(&[]);
+        let model = self.unit_model()?;
+        let conserved = model.conserved(&[]);
         self.each(py, &states, |given| {
             let state = Model::start(&self.system, given)?;
             let values = conserved.values(0.0, &state);
@@ -121,7 +155,7 @@ impl Arrays {
         })
     }
 
-    /// Returns the rate of each of n states, as n rows, which does not depend on the time.
+    /// Returns the rate of each of n states, as n rows, which does not depend on the time; with noise the drift.
     #[pyo3(signature = (states, _time=0.0))]
     fn rates<'py>(
         &self,
@@ -129,7 +163,11 @@ impl Arrays {
         states: PyReadonlyArray2<'py, f64>,
         _time: f64,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.each(py, &states, |given| self.system.rate(given))
+        let model = self.unit_model()?;
+        self.each(py, &states, |given| match &model {
+            ModelOfRun::Lattice(lattice) => lattice.rate(given),
+            _ => self.system.rate(given),
+        })
     }
 
     /// Returns the fastest rate of the motion through each of n states, as rows.
@@ -149,7 +187,8 @@ impl Arrays {
         every: u64,
         events: Vec<CallbackArgument>,
     ) -> PyResult<Recorded> {
-        let run = self.following(&setting)?;
+        let model = self.model(setting.1)?;
+        let run = self.following(&model, &setting)?;
         let events = events.iter().map(|event| Event::of_callback(event, &self.system));
         let events = events.collect::<PyResult<Vec<_>>>()?;
         let (mut record, widths) = run.record(py, (end, every), &events, None)?;
@@ -162,12 +201,14 @@ impl Arrays {
 
     /// Measures how accurate a run of so many steps is: the angle of a step (rad), the estimated error, and a warning.
     fn accuracy(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Accuracy> {
-        self.following(&setting)?.accuracy(py, steps)
+        let model = self.model(setting.1)?;
+        self.following(&model, &setting)?.accuracy(py, steps)
     }
 
     /// Checks a run of so many steps by half the step and twice the step, and returns the error and the order.
     fn check(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Check> {
-        self.following(&setting)?.check(py, steps)
+        let model = self.model(setting.1)?;
+        self.following(&model, &setting)?.check(py, steps)
     }
 
     /// Returns the states at times in the order of the run, as rows.
@@ -177,13 +218,31 @@ impl Arrays {
         setting: Setting,
         times: Vec<f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.following(&setting)?.states_at(py, &times)
+        let model = self.model(setting.1)?;
+        self.following(&model, &setting)?.states_at(py, &times)
     }
 }
 
 impl Arrays {
-    fn following(&self, (start, step, method): &Setting) -> PyResult<Following<'_>> {
-        Following::new(&self.system, self.method(method.clone())?, (start, *step))
+    /// Returns the model of a run with steps of a size.
+    pub(crate) fn model(&self, step: f64) -> PyResult<ModelOfRun<'_>> {
+        let Some(terms) = self.terms else { return Ok(ModelOfRun::Arrays(&self.system)) };
+        let lattice = ThermalLattice::new(self.system.clone(), terms, step).map_err(refused)?;
+        Ok(ModelOfRun::Lattice(Box::new(lattice)))
+    }
+
+    /// Returns the model of no run, with the step of its noise, or 1.
+    fn unit_model(&self) -> PyResult<ModelOfRun<'_>> {
+        let interval = self.terms.and_then(|terms| terms.noise?.interval);
+        self.model(interval.unwrap_or(1.0))
+    }
+
+    fn following<'a>(
+        &self,
+        model: &'a ModelOfRun<'_>,
+        (start, step, method): &Setting,
+    ) -> PyResult<Following<'a>> {
+        Following::new(&**model, self.method(method.clone())?, (start, *step))
     }
 
     /// Returns the method of these names.
@@ -191,10 +250,17 @@ impl Arrays {
         &self,
         (formulation, scheme, tolerance): MethodArgument,
     ) -> PyResult<Method> {
+        let model = self.unit_model()?;
         let method = || -> Result<Method, FormulaSystemError> {
             let formulation = formulation.map(|name| name.parse().map_err(MethodError::from));
             let scheme = scheme.parse().map_err(MethodError::from)?;
-            self.system.method(formulation.transpose()?, scheme, tolerance)
+            let formulation = formulation.transpose()?;
+            match &model {
+                ModelOfRun::Lattice(lattice) => {
+                    lattice.method(formulation, Some(scheme), tolerance)
+                }
+                _ => self.system.method(formulation, scheme, tolerance),
+            }
         };
         method().map_err(refused)
     }

@@ -35,7 +35,7 @@ impl AnySystem<'_> {
     fn model(&self, step: f64) -> PyResult<ModelOfRun<'_>> {
         match self {
             Self::Formula(system) => system.model(step),
-            Self::Arrays(arrays) => Ok(ModelOfRun::Arrays(&arrays.system)),
+            Self::Arrays(arrays) => arrays.model(step),
         }
     }
 

@@ -10,8 +10,13 @@ use lie_poisson_formula_systems::{
     OpenSystemError, OpenTerms,
 };
 use lie_poisson_formulas::Formula;
-use lie_poisson_runs::{ArraySystem, Model};
+use lie_poisson_runs::{
+    ArraySystem, LatticeNoise, LatticeTerms, Model, SpinDamping, ThermalLattice,
+};
 use pyo3::{FromPyObject, IntoPyObject, PyErr, PyResult};
+
+/// What is said where a path is asked for and there is no noise.
+pub(crate) const WITHOUT_PATH: &str = "path is of systems with noise, and this one has none";
 
 /// An input: its name, times, values, and the name of the interpolation.
 pub(crate) type InputArgument = (String, Vec<f64>, Vec<f64>, String);
@@ -100,11 +105,37 @@ pub(crate) fn terms(
     Ok(OpenTerms { inputs, hamiltonian, drive, damping, noise, torque })
 }
 
+/// The friction of spins, and whether it is Gilbert's damping.
+type SpinDampingArgument = (f64, bool);
+
+/// The energy kT; and the seed, the path, the interval and the bound of the noise.
+type SpinNoiseArgument = (f64, (u64, u64, Option<f64>, Option<f64>));
+
+/// The damping and the noise of spins on a lattice.
+pub(crate) type LatticeArgument = (Option<SpinDampingArgument>, Option<SpinNoiseArgument>);
+
+/// Returns the friction and the noise of spins on a lattice.
+pub(crate) fn lattice_terms((damping, noise): &LatticeArgument) -> LatticeTerms {
+    let damping = damping.map(|(friction, is_gilbert)| match is_gilbert {
+        true => SpinDamping::Gilbert(friction),
+        false => SpinDamping::LandauLifshitz(friction),
+    });
+    let noise = noise.map(|(temperature, (seed, path, interval, bound))| LatticeNoise {
+        temperature,
+        seed,
+        path,
+        interval,
+        bound,
+    });
+    LatticeTerms { damping, noise }
+}
+
 /// The model of a run: that of a closed system, or of an open one with the step of the run.
 pub(crate) enum ModelOfRun<'a> {
     Closed(&'a FormulaSystem),
     Open(Box<OpenSystem>),
     Arrays(&'a ArraySystem),
+    Lattice(Box<ThermalLattice>),
 }
 
 impl<'a> ModelOfRun<'a> {
@@ -128,7 +159,7 @@ impl<'a> ModelOfRun<'a> {
     /// Returns `ValueError`, which names the input.
     pub(crate) fn require_until(&self, end: f64) -> PyResult<()> {
         match self {
-            Self::Closed(_) | Self::Arrays(_) => Ok(()),
+            Self::Closed(_) | Self::Arrays(_) | Self::Lattice(_) => Ok(()),
             Self::Open(open) => open.terms().inputs.require_until(end).map_err(refused),
         }
     }
@@ -142,6 +173,7 @@ impl Deref for ModelOfRun<'_> {
             Self::Closed(system) => *system,
             Self::Open(open) => &**open,
             Self::Arrays(arrays) => *arrays,
+            Self::Lattice(lattice) => &**lattice,
         }
     }
 }

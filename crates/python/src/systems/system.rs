@@ -3,7 +3,7 @@
 use super::algebra::{
     AlgebraSource, Groups, ParameterArgument, Realisation, groups, parameters, realised,
 };
-use super::open::{ModelOfRun, OpenArgument, inputs, terms};
+use super::open::{ModelOfRun, OpenArgument, WITHOUT_PATH, inputs, terms};
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::formulas::{FormulaSource, expressions};
@@ -195,8 +195,7 @@ impl System {
         let of_terms = other.terms.as_mut().and_then(|terms| terms.noise.as_mut());
         let of_source = other.source.5.as_mut().and_then(|open| open.3.as_mut());
         let (Some(noise), Some((_, (_, source, ..), _))) = (of_terms, of_source) else {
-            let text = "path is of systems with noise, and this one has none";
-            return Err(PyValueError::new_err(text));
+            return Err(PyValueError::new_err(WITHOUT_PATH));
         };
         (noise.path, *source) = (path, path);
         other.model(unit_of(other.terms.as_ref()))?;

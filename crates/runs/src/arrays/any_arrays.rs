@@ -1,6 +1,7 @@
 //! What a system of arrays has: [`Arrays`].
 
 use super::arguments::Given;
+use super::sites::open_lattice::OpenLattice;
 use crate::error::RunFailure;
 use collective_integrators::{AnyIntegrator, AnyTangents};
 use core::fmt;
@@ -87,6 +88,11 @@ pub(super) trait Arrays: fmt::Debug + Send + Sync {
     /// Returns the values of the field of a state, as users read it, on a circle of constant colatitude at so many longitudes
     /// from 0 on; `None` if it is no field on the sphere.
     fn on_circle(&self, _given: &[f64], _colatitude: f64, _count: usize) -> Option<Vec<f64>> {
+        None
+    }
+
+    /// Returns the lattice, if the system is one of spins alone.
+    fn lattice(&self) -> Option<&OpenLattice> {
         None
     }
 

@@ -3,6 +3,7 @@
 use super::any_arrays::Arrays;
 use super::arguments::{Arguments, Given};
 use super::renewed::resumable_after;
+use super::sites::open_lattice::OpenLattice;
 use crate::error::RunFailure;
 use crate::models::conserved::Conserved;
 use crate::models::model::Model;
@@ -11,15 +12,16 @@ use collective_integrators::{AnyIntegrator, AnyTangents};
 use core::ops::Range;
 use heavytop::methods::{Formulation, Method, SchemeName};
 use lie_poisson_formula_systems::{FormulaSystemError, Parameter};
+use std::sync::Arc;
 
 /// A system of an [`ArrayKind`](crate::ArrayKind), of a size that is known only when the program runs.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct ArraySystem {
     /// The name, and what the system is in a few words.
     about: (&'static str, &'static str),
     /// What a start is given by.
     start: &'static [Parameter],
-    system: Box<dyn Arrays>,
+    system: Arc<dyn Arrays>,
 }
 
 impl ArraySystem {
@@ -28,7 +30,7 @@ impl ArraySystem {
         start: &'static [Parameter],
         system: Box<dyn Arrays>,
     ) -> Self {
-        Self { about, start, system }
+        Self { about, start, system: system.into() }
     }
 
     /// Returns the name of the kind of system.
@@ -79,6 +81,11 @@ impl ArraySystem {
     #[must_use]
     pub fn on_circle(&self, state: &[f64], colatitude: f64, count: usize) -> Option<Vec<f64>> {
         self.fits(state).then(|| self.system.on_circle(state, colatitude, count))?
+    }
+
+    /// Returns the lattice, if the system is one of spins alone.
+    pub(super) fn lattice(&self) -> Option<&OpenLattice> {
+        self.system.lattice()
     }
 
     /// Returns whether a state has as many numbers as there are coordinates.

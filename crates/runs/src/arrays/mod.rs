@@ -10,3 +10,4 @@ mod sites;
 mod chains;
 mod fluids;
 mod systems;
+pub(crate) mod temperature;

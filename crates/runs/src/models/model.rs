@@ -77,8 +77,8 @@ pub trait Model: SystemScales + fmt::Debug + Send + Sync {
         None
     }
 
-    /// Returns the angle by which the noise turns the state in a step, rad, if that is known.
-    fn noise_angle(&self, _step: f64) -> Option<f64> {
+    /// Returns the angle by which the noise turns the state of a start in a step, rad, if that is known.
+    fn noise_angle(&self, _start: &[f64], _step: f64) -> Option<f64> {
         None
     }
 
@@ -206,14 +206,15 @@ impl dyn Model + '_ {
         Ok(run_accuracy(&integrator, self, start, steps, order, going))
     }
 
-    /// Returns the [warning](RunAccuracy::warning) about the accuracy of a run. With noise it is about long steps alone: single
+    /// Returns the [warning](RunAccuracy::warning) about the accuracy of a run from a start. With noise it is about long steps alone: single
     /// paths converge slowly, and means over many, for which they are made, do not need them.
     #[must_use]
-    pub fn accuracy_warning(&self, accuracy: &RunAccuracy) -> Option<String> {
+    pub fn accuracy_warning(&self, start: &[f64], accuracy: &RunAccuracy) -> Option<String> {
         match self.noise() {
             None => accuracy.warning(),
             Some(_) => {
-                let of_noise = self.noise_angle(accuracy.step).filter(|angle| *angle > MOST_NOISE);
+                let angle = self.noise_angle(start, accuracy.step);
+                let of_noise = angle.filter(|angle| *angle > MOST_NOISE);
                 let of_noise = of_noise.map(|angle| {
                     format!(
                         "the noise turns the state by about {angle:.1e} rad in a step, of which a third is safe: means may be \

@@ -37,7 +37,7 @@ impl Model for OpenSystem {
         }
     }
 
-    fn noise_angle(&self, step: f64) -> Option<f64> {
+    fn noise_angle(&self, _start: &[f64], step: f64) -> Option<f64> {
         OpenSystem::noise_angle(self, step)
     }
 

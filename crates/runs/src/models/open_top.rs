@@ -101,7 +101,7 @@ impl Model for OpenTop {
         self.system.order(method)
     }
 
-    fn noise_angle(&self, step: f64) -> Option<f64> {
+    fn noise_angle(&self, _start: &[f64], step: f64) -> Option<f64> {
         self.system.noise_angle(step)
     }
 

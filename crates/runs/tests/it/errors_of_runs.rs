@@ -10,8 +10,8 @@ use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use lie_poisson_formulas::{Coordinates, Formula, Parameters, Vocabulary};
 use lie_poisson_runs::contests::{Contest, TimedProblem};
 use lie_poisson_runs::{
-    Arguments, ArrayKind, EventFunctions, Experiment, Model, PathEnsemble, RunFailure, Saved,
-    Schedule, TangentGrowth, TopInAxes, step_angle,
+    Arguments, ArrayKind, EventFunctions, Experiment, LatticeTerms, Model, PathEnsemble,
+    RunFailure, Saved, Schedule, SpinDamping, TangentGrowth, ThermalLattice, TopInAxes, step_angle,
 };
 use nalgebra::Vector3;
 use std::collections::BTreeSet;
@@ -93,6 +93,17 @@ fn fluid_without_tangents() -> RunFailure {
     fluid.tangent_integrator(&method, &[0.0; 16]).unwrap_err()
 }
 
+/// Tangent vectors of a lattice with friction.
+fn damped_without_tangents() -> RunFailure {
+    let kind = ArrayKind::named("spin-lattice").unwrap();
+    let given = Arguments::new().list("shape", vec![2.0]).number("exchange", 1.0);
+    let terms =
+        LatticeTerms { damping: Some(SpinDamping::Gilbert(0.1)), ..LatticeTerms::default() };
+    let lattice = ThermalLattice::new(kind.system(&given).unwrap(), terms, 0.1).unwrap();
+    let method = lattice.method(None, None, 0.0).unwrap();
+    lattice.tangent_integrator(&method, &[0.0; 6]).unwrap_err()
+}
+
 #[test]
 fn every_error_names_what_is_wrong() {
     let run = experiment("collective", "gauss-4", pace(0.1, 1.0, 1));
@@ -121,6 +132,7 @@ fn every_error_names_what_is_wrong() {
         (followed(&no_attitude, None), "direct has no attitude"),
         (followed(&no_body, None), "so(3) has no attitude"),
         (fluid_without_tangents(), "sphere-fluid"),
+        (damped_without_tangents(), "spin-lattice with friction or noise has no tangent vectors"),
         (followed(&short, None), "5"),
         (followed(&run, Some(&Saved { step: 1024, state: vec![0.0] })), "has 1 numbers"),
         (schedule(0.0, 1.0), "step must be finite and different from 0, got 0"),

@@ -1,8 +1,7 @@
 //! Tests of runs, of their errors, and of the timing of integrators.
 #![allow(clippy::unwrap_used)]
 
-mod array_runs;
-mod array_systems;
+mod arrays;
 #[cfg(feature = "contests")]
 mod contests;
 #[cfg(feature = "contests")]

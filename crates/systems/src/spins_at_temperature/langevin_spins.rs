@@ -109,8 +109,11 @@ impl<H: SitesHamiltonian<Vector3<f64>>> LangevinSpins<H> {
             space.sites.resize(count, SiteConstants::default());
             space.increments.resize(3 * count, 0.0);
         }
-        let until = clock.x + step / self.paths.interval();
-        self.paths.write_increments(path.x as u64, clock.x, until, &mut space.increments);
+        // At the temperature 0 there is no noise: the increments stay 0.
+        if self.temperature > 0.0 {
+            let until = clock.x + step / self.paths.interval();
+            self.paths.write_increments(path.x as u64, clock.x, until, &mut space.increments);
+        }
         let noise = space.increments.as_chunks::<3>().0;
         for ((site, spin), noise) in space.sites.iter_mut().zip(spins.iter()).zip(noise) {
             *site =

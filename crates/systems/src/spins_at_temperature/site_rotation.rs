@@ -24,6 +24,21 @@ impl SpinDamping {
         }
     }
 
+    /// Returns the friction b of a spin of a length, with the unit of 1/s: θ, or α/((1 + α²)|s|). Noise at the energy kT turns
+    /// the spin by the angle √(2bkTh), rad, in a time h.
+    #[must_use]
+    pub fn friction(self, length: f64) -> f64 {
+        self.constants(length)[1]
+    }
+
+    /// Returns the rate ds/dt = s × (aH + bH × s) of a spin in a field H = −∂h/∂s, without noise. With noise it is the drift in
+    /// Stratonovich's sense.
+    #[must_use]
+    pub fn rate(self, spin: &Vector3<f64>, field: &Vector3<f64>) -> Vector3<f64> {
+        let [factor, friction] = self.constants(spin.norm());
+        spin.cross(&(field * factor + field.cross(spin) * friction))
+    }
+
     /// Returns the factor a of the field and the friction b for a spin of a length.
     fn constants(self, length: f64) -> [f64; 2] {
         match self {

@@ -60,7 +60,8 @@ pub fn ensemble(
     watch.safeguard.require(out, &CSV)?;
     let mut output = Output::create(out)?;
     let accuracy = run.accuracy(&|| watch.require_going().is_ok())?;
-    let of_steps = run.model.accuracy_warning(&accuracy).map(|text| format!("warning: {text}"));
+    let of_steps =
+        run.model.accuracy_warning(&run.start, &accuracy).map(|text| format!("warning: {text}"));
     run.warning()?.into_iter().chain(of_steps).for_each(warn);
     let progress = Progress::of(paths.paths, "paths", watch.quiet);
     let rows = paths.follow(&run, |done| {

@@ -1,6 +1,6 @@
 //! The summary of an ensemble of paths, which `heavytop ensemble` prints.
 
-use crate::files::place::shown;
+use crate::files::place;
 use crate::runs::Experiment;
 use crate::runs::run_check::write_method;
 use lie_poisson_runs::PathRow;
@@ -32,6 +32,9 @@ pub struct EnsembleSummary {
     pub rows: usize,
     /// The means at the end with their standard errors, by the names of the columns.
     pub last: BTreeMap<String, Mean>,
+    /// The columns that the line names.
+    #[serde(skip)]
+    shown: Vec<String>,
 }
 
 /// A mean over the paths.
@@ -64,6 +67,7 @@ impl EnsembleSummary {
             end: run.pace.schedule.end(),
             rows: rows.len(),
             last: names.iter().map(|name| (*name).to_owned()).zip(means).collect(),
+            shown: shown(run, names),
         }
     }
 }
@@ -71,13 +75,25 @@ impl EnsembleSummary {
 /// The most means that a line names.
 const MOST_SHOWN: usize = 12;
 
+/// Returns the columns that a line names: all in the order of the alphabet, or, where they are too many, as of a lattice, those that are
+/// no coordinates.
+fn shown(run: &Experiment, names: &[&str]) -> Vec<String> {
+    if names.len() > MOST_SHOWN {
+        return run.conserved();
+    }
+    let mut names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+    names.sort_unstable();
+    names
+}
+
 impl fmt::Display for EnsembleSummary {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         let last = self.first_path.saturating_add(self.paths - 1);
-        write!(to, "{} rows in {}; ", self.rows, shown(&self.out))?;
+        write!(to, "{} rows in {}; ", self.rows, place::shown(&self.out))?;
         write!(to, "paths {} to {last} of seed {}; at the end", self.first_path, self.seed)?;
-        for (place, (name, Mean { mean, error })) in self.last.iter().take(MOST_SHOWN).enumerate() {
-            let comma = if place > 0 { "," } else { "" };
+        let shown = self.shown.iter().filter_map(|name| Some((name, self.last.get(name)?)));
+        for (i, (name, Mean { mean, error })) in shown.take(MOST_SHOWN).enumerate() {
+            let comma = if i > 0 { "," } else { "" };
             write!(to, "{comma} {name} {mean:.3e} ± {error:.0e}")?;
         }
         write_method(to, (self.formulation, self.scheme), (self.step, self.end))

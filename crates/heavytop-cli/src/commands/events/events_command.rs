@@ -80,7 +80,7 @@ pub fn events(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<EventsSu
     drop(progress);
     output.conclude(outcome)?;
     let accuracy = accuracy_to(&run, end, watch)?;
-    let warning = run.model.accuracy_warning(&accuracy);
+    let warning = run.model.accuracy_warning(&run.start, &accuracy);
     warning.map(|text| format!("warning: {text}")).into_iter().for_each(warn);
     let summary = EventsSummary::new(&run, counts, end, out);
     Ok(EventsSummary { error_estimate: accuracy.error, ..summary })

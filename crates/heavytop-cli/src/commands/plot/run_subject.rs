@@ -1,7 +1,7 @@
 //! What a run is of: [`RunSubject`].
 
 use super::view::View;
-use crate::configuration::{Config, Integration};
+use crate::configuration::{Config, Integration, SystemConfig};
 use crate::errors::Error;
 use crate::pictures::caption;
 use crate::runs::Experiment;
@@ -11,7 +11,11 @@ use lie_poisson_runs::ArraySystem;
 /// What a run is of.
 pub(super) enum RunSubject {
     /// A system of arrays.
-    Arrays(ArraySystem),
+    Arrays {
+        system: ArraySystem,
+        /// What it is, in words of a caption.
+        about: Vec<String>,
+    },
     /// A top, or a system by formula, whose coordinates are in arrays of numbers and vectors.
     Coordinates {
         run: Box<Experiment>,
@@ -28,6 +32,11 @@ impl RunSubject {
     /// # Errors
     /// If there is no such run.
     pub fn new(config: &Config) -> Result<Self, Error> {
+        let arrays = config.system()?.map(SystemConfig::array_system).transpose()?.flatten();
+        if let Some(system) = arrays {
+            let about = std::iter::once(system.about().to_owned()).chain(config.forces()).collect();
+            return Ok(Self::Arrays { system, about });
+        }
         if let Some(run) = config.open_run()? {
             let mut about = match &config.system {
                 Some(_) => vec![run.model.formula("h").unwrap_or_default()],
@@ -45,9 +54,6 @@ impl RunSubject {
             let about = vec![caption::top_in(&model.top, &model.axes), caption::start(&start)];
             return Ok(Self::Coordinates { run: Box::new(run), kind: None, about });
         };
-        if let Some(arrays) = table.array_system()? {
-            return Ok(Self::Arrays(arrays));
-        }
         let run = table.experiment(config.integrator, config.output.every)?;
         let kind = table.kind.as_deref().and_then(|name| SystemKind::named(name).ok());
         let about = match kind {
@@ -64,7 +70,7 @@ impl RunSubject {
             Self::Coordinates { kind: Some("vortices"), .. } => View::Vortices,
             Self::Coordinates { kind: Some("spin-chain"), .. } => View::Chain,
             Self::Coordinates { .. } => View::Panels,
-            Self::Arrays(_) => {
+            Self::Arrays { .. } => {
                 let (name, shape) = self.state();
                 match (name.as_str(), shape.len()) {
                     ("omega", _) => View::Fluid,
@@ -79,7 +85,7 @@ impl RunSubject {
     /// Returns the symbol of the array that pictures of a sample show, and its shape.
     pub fn state(&self) -> (String, Vec<usize>) {
         match self {
-            Self::Arrays(system) => {
+            Self::Arrays { system, .. } => {
                 let first = system.arrays().into_iter().next();
                 first.map_or_else(Default::default, |(name, shape)| (name.into(), shape))
             }
@@ -95,7 +101,7 @@ impl RunSubject {
     /// Returns the names and the shapes of the arrays of the archive that make that array, one after the other.
     pub fn parts(&self) -> Vec<(String, Vec<usize>)> {
         match self {
-            Self::Arrays(_) => vec![self.state()],
+            Self::Arrays { .. } => vec![self.state()],
             Self::Coordinates { run, .. } => {
                 let groups = run.coordinates().into_iter();
                 groups.map(|(name, columns)| (name, shape_of(&columns))).collect()
@@ -106,13 +112,14 @@ impl RunSubject {
     /// Returns the parts of a caption: what the run is of, and the method.
     pub fn caption(&self, config: &Config) -> Vec<String> {
         match self {
-            Self::Arrays(system) => {
+            Self::Arrays { system, about } => {
                 let integrator = config.integrator;
                 let formulation = integrator.formulation.or(system.formulations().first().copied());
                 let step = integrator.step.unwrap_or(Integration::default().step);
                 let (formulation, scheme) =
                     (formulation.unwrap_or_default(), integrator.scheme.unwrap_or_default());
-                vec![system.about().to_owned(), caption::method(formulation, scheme, step)]
+                let method = caption::method(formulation, scheme, step);
+                about.iter().cloned().chain([method]).collect()
             }
             Self::Coordinates { run, about, .. } => {
                 let (method, step) = (&run.method, run.pace.schedule.step);

@@ -69,7 +69,8 @@ pub fn simulate(
     let mut recording = Recording::begin(out, &config, &recorded, options)?;
     let accuracy = options.estimated(|going| Ok(run.accuracy(going)?))?;
     recording.add_estimate(accuracy.error);
-    let of_accuracy = run.model.accuracy_warning(&accuracy).map(|text| format!("warning: {text}"));
+    let of_accuracy =
+        run.model.accuracy_warning(&run.start, &accuracy).map(|text| format!("warning: {text}"));
     [run.warning()?, of_accuracy].into_iter().flatten().for_each(warn);
     let mut deviations = Deviations::new(run.initial()?, options.resume);
     let progress = Progress::new(run, options.quiet);

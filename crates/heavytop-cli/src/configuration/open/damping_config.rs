@@ -8,12 +8,26 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct DampingConfig {
-    /// The friction θ, at least 0.
+    /// The friction θ, at least 0; or Gilbert's α.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub friction: Option<f64>,
+    /// Of a lattice of spins, which damping this is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub form: Option<DampingForm>,
     /// The inner product ♯ on the dual of the algebra; the unit matrix where all coordinates are of one vector.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inner_product: Option<InnerProductConfig>,
+}
+
+/// The form of the damping of spins on a lattice.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DampingForm {
+    /// ds/dt = s × H − θ s × (s × H)
+    #[default]
+    LandauLifshitz,
+    /// ds/dt = s × H − (α/|s|) s × ds/dt
+    Gilbert,
 }
 
 /// An inner product: a multiple of the unit matrix, a diagonal matrix, or any symmetric, positive definite one.
@@ -32,13 +46,24 @@ pub enum InnerProductConfig {
 }
 
 impl DampingConfig {
+    /// Returns the friction.
+    ///
+    /// # Errors
+    /// If it is missing.
+    pub(super) fn required_friction(&self) -> Result<f64, SystemTableError> {
+        let missing = || SystemTableError::MissingKey { table: "damping".into(), key: "friction" };
+        self.friction.ok_or_else(missing)
+    }
+
     /// Returns the friction with its inner product.
     ///
     /// # Errors
     /// If the inner product is none, or is missing where it needs a choice.
     pub(super) fn damping(&self, names: &OpenNames, dimension: usize) -> Result<Damping, Error> {
-        let missing = || SystemTableError::MissingKey { table: "damping".into(), key: "friction" };
-        let friction = self.friction.ok_or_else(missing)?;
+        if self.form.is_some() {
+            return Err(SystemTableError::FormOfLattice.into());
+        }
+        let friction = self.required_friction()?;
         let rows = self.inner_product.as_ref().map(|given| given.rows(dimension));
         let inner_product = names.inner_product(rows.as_deref())?;
         Ok(Damping { friction, inner_product })

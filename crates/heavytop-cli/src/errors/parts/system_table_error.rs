@@ -80,13 +80,27 @@ pub enum SystemTableError {
     },
     /// A command that follows closed systems alone got a table of open ones.
     #[error(
-        "[{table}] is for tops and systems by formula in simulate, events and ensemble: other commands, and systems of \
-         arrays, have no forces"
+        "[{table}] is for tops and systems by formula in simulate, events and ensemble; a spin-lattice has [damping] and \
+         [noise] in simulate and ensemble; other commands, and other systems of arrays, have no forces"
     )]
     OpenTable {
         /// The name of the table.
         table: &'static str,
     },
+    /// A key of forces does not fit a lattice of spins.
+    #[error(
+        "{key} is for tops and systems by formula: a spin-lattice has friction and form in [damping], and temperature, \
+         seed, path, interval and bound in [noise]"
+    )]
+    KeyOfFormulas {
+        /// The path of the key.
+        key: &'static str,
+    },
+    /// The form of a damping is given of something else than a lattice of spins.
+    #[error(
+        "form in [damping] is of a spin-lattice: tops and other systems have the double bracket"
+    )]
+    FormOfLattice,
     /// A table of formulas has none.
     #[error("[{table}] has no formulas")]
     NoForces {
@@ -139,6 +153,8 @@ impl SystemTableError {
     pub const fn table(&self) -> &'static str {
         match self {
             Self::OpenTable { .. }
+            | Self::KeyOfFormulas { .. }
+            | Self::FormOfLattice
             | Self::NoForces { .. }
             | Self::MissingKey { .. }
             | Self::OneNoise
@@ -184,6 +200,8 @@ impl SystemTableError {
             Self::Parameter { table, name, .. } => vec![(format!("system.{table}.{name}"), "")],
             Self::Formula(error) => keys_of(error),
             Self::OpenTable { table } => key(table, "remove the table"),
+            Self::KeyOfFormulas { key: path } => vec![((*path).to_owned(), "leave it out")],
+            Self::FormOfLattice => key("damping.form", "leave it out"),
             Self::NoForces { table } => key(table, "write formulas, or remove the table"),
             Self::MissingKey { table, .. } => key(table, "add the key"),
             Self::OneNoise => key("noise", "write one of them"),

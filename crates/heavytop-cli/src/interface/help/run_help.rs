@@ -209,6 +209,13 @@ Forces, for simulate, events and ensemble, beside [system] or [body]; t in a for
   [torque]                           # a rate of the coordinates: it changes the Casimirs, too, and
   Pi = [0, 0, \"-0.1*Pi3\"]          # the formulation is direct. Of a body for Pi alone, in N m;
                                      # I1, I2, I3 are its moments. [noise] excludes it
+Beside a spin-lattice, for simulate and ensemble, where the method is direct, implicit-midpoint:
+  [damping]                          # it lowers h and keeps every |s|
+  friction = 0.1                     # theta, or Gilbert's alpha
+  form = \"landau-lifshitz\"         # ds/dt = s x H - theta s x (s x H); or gilbert, with
+                                     # - (alpha/|s|) s x ds/dt instead
+  [noise]                            # temperature, seed, path, bound, interval, as above
+  temperature = 0.5                  # kT, with [damping]; the columns h, M1, M2, M3 and C
 
 Systems of arrays, of any size, which simulate and sweep follow; * as above. FILE.npz has one array
 a quantity, and heavytop plot draws it, heavytop export writes it for ParaView and OOMMF:

@@ -5,5 +5,6 @@ mod system_sections;
 mod system_sweeps;
 mod systems;
 mod systems_with_forces;
+mod lattices_with_noise;
 mod tops_with_forces;
 mod refused_forces;

@@ -67,6 +67,16 @@ fn a_killed_run_goes_on_to_the_same_bytes_in_every_format() {
     }
 }
 
+/// A path of spins at a temperature, with intervals of the noise that are no whole number of steps.
+#[test]
+#[ignore = "a fault, which .ci/run makes"]
+fn a_killed_run_at_a_temperature_goes_on_to_the_same_bytes() {
+    let warm = "[system]\nkind = 'spin-lattice'\nparameters = { shape = [3, 2], exchange = 1 }\n\
+        initial = { tilt = 0.3 }\n[damping]\nfriction = 0.1\n[noise]\ntemperature = 1\ninterval = 0.05\n\
+        [integrator]\nstep = 0.02\nend = 80\n[output]\nevery = 30\n";
+    kill_and_go_on(warm, "a.npz", [0, 30]);
+}
+
 /// A lattice of 4800 numbers, whose checkpoint has them as a text of bytes, after each 512 steps; and a fluid.
 #[test]
 #[ignore = "a fault, which .ci/run makes"]

@@ -1,5 +1,6 @@
 //! Spins and vortices as a system of arrays: [`SitesArrays`].
 
+use super::open_lattice::OpenLattice;
 use super::sites_system::{SitesSystem, momenta, numbers, total};
 use crate::arrays::any_arrays::{ArrayShape, Arrays, Started};
 use crate::arrays::arguments::Given;
@@ -108,6 +109,13 @@ impl Arrays for SitesArrays {
         method: &Method,
     ) -> Result<AnyIntegrator<dyn AnyTangents>, RunFailure> {
         self.system.tangent_integrator(method, self.count())
+    }
+
+    fn lattice(&self) -> Option<&OpenLattice> {
+        match &self.system {
+            SitesSystem::Spins(lattice) => Some(lattice),
+            SitesSystem::Vortices(_) => None,
+        }
     }
 
     fn start(&self, given: &Given<'_>) -> Started {

@@ -323,3 +323,18 @@ fn what_is_no_temperature_or_damping_is_refused() {
         assert_eq!(state, before);
     }
 }
+
+/// The rates are those of Landau and Lifshitz and of Gilbert, whose equation has the rate on both sides.
+#[test]
+fn the_drift_is_that_of_the_damping() {
+    let (s, field) = (Vector3::new(0.3, -1.1, 0.8), Vector3::new(0.5, 0.2, -0.7));
+    let rate = SpinDamping::LandauLifshitz(0.4).rate(&s, &field);
+    let torque = s.cross(&field);
+    assert!((rate - (torque - s.cross(&torque) * 0.4)).norm() < 1e-15);
+    let rate = SpinDamping::Gilbert(0.4).rate(&s, &field);
+    let residual = |alpha: f64| (rate - torque + s.cross(&rate) * (alpha / s.norm())).norm();
+    assert!(residual(0.4) < 1e-15 && residual(0.5) > 1e-2, "control: another α");
+    assert!((SpinDamping::Gilbert(0.4).friction(2.0) - 0.2 / 1.16).abs() < 1e-15);
+    assert_eq!(SpinDamping::LandauLifshitz(0.4).friction(2.0), 0.4);
+    assert_eq!(SpinDamping::Gilbert(0.4).rate(&Vector3::zeros(), &field), Vector3::zeros());
+}

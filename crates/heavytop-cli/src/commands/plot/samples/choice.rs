@@ -18,7 +18,9 @@ pub(in crate::commands::plot) fn sample_picture<'a>(
     plane: Option<usize>,
 ) -> Result<Option<Box<dyn SamplePicture + 'a>>, Error> {
     Ok(match (run.subject.view(), &run.subject) {
-        (View::Fluid, RunSubject::Arrays(system)) => Some(Box::new(FluidMap::new(run, system))),
+        (View::Fluid, RunSubject::Arrays { system, .. }) => {
+            Some(Box::new(FluidMap::new(run, system)))
+        }
         (View::Vortices, _) => Some(Box::new(VortexMap::new(run)?)),
         (View::Lattice, _) => Some(Box::new(LatticePlane::new(run, plane)?)),
         _ => None,

@@ -1,6 +1,6 @@
 //! Runs of systems of arrays: starts, resumption, threads, units, and what is refused.
 
-use crate::array_systems::{after, lattice, system};
+use crate::arrays::array_systems::{after, lattice, system};
 use collective_integrators::diagnostics::SystemScales;
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson_runs::{
