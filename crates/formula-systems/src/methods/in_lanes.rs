@@ -1,7 +1,6 @@
 //! The integrators whose stages are computed side by side: [`Integration::make_in_lanes`].
 
-use super::clebsch::invariant_guard::InvariantGuard;
-use super::integration::{Integration, of};
+use super::integration::Integration;
 use crate::algebras::family::Family;
 use crate::error::FormulaSystemError;
 use crate::realisations::collective::RealisedCollective;
@@ -25,7 +24,8 @@ type MadeInLanes = Result<Option<AnyIntegrator>, FormulaSystemError>;
 
 impl Integration<'_> {
     /// Makes the integrator that evaluates the formula for several stages at once, which are in the lanes of a register. It is
-    /// `None` where there is none: the scheme has no such stages, or the state is one of many sites.
+    /// `None` where there is none: the scheme has no such stages, the state is one of many sites, or the map is a Clebsch map of
+    /// few dimensions, whose steps are not Poisson maps in general.
     pub(super) fn make_in_lanes(&self) -> MadeInLanes {
         match self.method.scheme() {
             SchemeName::Gauss(stages) if STAGES.contains(&stages) => {}
@@ -45,17 +45,14 @@ impl Integration<'_> {
                 let collective = Collective::new(self.scheme()?, SpinorRealisation, hamiltonian);
                 Ok(Some(self.in_lanes(collective)))
             }
-            (Formulation::Collective, Family::Other, 3) => self.clebsch_in_lanes::<3>(),
-            (Formulation::Collective, Family::Other, 6) => self.clebsch_in_lanes::<6>(),
             (Formulation::Direct, Family::Motions, _) => {
                 let space = LiePoisson::minus(Se3::default());
                 let hamiltonian = self.hamiltonian::<Se3>()?;
                 let field = HamiltonianField { space, hamiltonian };
                 Ok(Some(self.in_lanes(Direct::new(self.scheme()?, field))))
             }
-            (Formulation::Direct, _, 3) => self.direct_in_lanes::<3>(),
-            (Formulation::Direct, _, 6) => self.direct_in_lanes::<6>(),
-            (Formulation::Direct, ..) => {
+            // A table that is completed to a width has coordinates that the states lack.
+            (Formulation::Direct, _, width) if width == algebra.dimension() => {
                 let direct = StagesInLanes::widest(Direct::new(self.scheme()?, self.table_field()));
                 let momentum = self.momentum_of_any_size();
                 Ok(Some(AnyIntegrator::of_states(direct, &momentum, &momentum)))
@@ -70,20 +67,6 @@ impl Integration<'_> {
         let motion = StagesInLanes::widest(Direct::new(scheme, field));
         let guarded = self.guarded(RealisedCollective { motion, momenta }, order)?;
         Ok(Some(AnyIntegrator::of_states(guarded, &point, &self.momentum_of_any_size())))
-    }
-
-    fn clebsch_in_lanes<const N: usize>(&self) -> MadeInLanes {
-        let (scheme, map) = (self.scheme()?, self.clebsch_map::<N>()?);
-        let order = scheme.order();
-        let collective = Collective::new(scheme, map, of(self.system.motion())?);
-        let guarded = InvariantGuard::new(StagesInLanes::widest(collective), order, self.system);
-        Ok(Some(AnyIntegrator::new(guarded, self.system.algebra().dimension())))
-    }
-
-    fn direct_in_lanes<const N: usize>(&self) -> MadeInLanes {
-        let space = LiePoisson::minus(self.table::<N>()?);
-        let field = HamiltonianField { space, hamiltonian: of(self.system.motion())? };
-        Ok(Some(self.in_lanes(Direct::new(self.scheme()?, field))))
     }
 
     /// Computes the stages of an integrator side by side, and hides its type.

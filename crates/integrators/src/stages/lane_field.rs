@@ -82,6 +82,10 @@ where
 {
     #[cfg_attr(optimised, inline(always))]
     fn run(self, (): &mut ()) {
+        // Nothing is compiled for registers that so few stages do not fill: others are chosen for them.
+        if S < T::COUNT {
+            return;
+        }
         let Self { field, problem, outcome } = self;
         let blank = <<F as VectorField<T>>::Point>::zeros_of(&problem.z.shape());
         *outcome = Some(problem.solve::<T, _, S>(
