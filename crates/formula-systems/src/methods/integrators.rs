@@ -46,8 +46,9 @@ impl FormulaSystem {
 
     /// Returns the fastest integrator of a method, for runs from a state. It makes the steps of
     /// [`tangent_integrator`](Self::tangent_integrator) up to rounding errors, on every processor with the same bits, and has
-    /// no tangent maps: the stages of Gauss's methods on algebras of up to six dimensions are in the lanes of a register, and
-    /// `reduced`, which is the same map as `collective`, takes its lift where there is one.
+    /// no tangent maps. The stages of Gauss's methods are in the lanes of a register, except on sums of so(3) and su(2) and for
+    /// Clebsch maps of few dimensions. `reduced`, which is the same map as `collective` on so(3), su(2) and se(3), takes the lift
+    /// of `collective` where there is one.
     ///
     /// # Errors
     /// Returns the errors of [`tangent_integrator`](Self::tangent_integrator).

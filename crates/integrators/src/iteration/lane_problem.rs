@@ -32,9 +32,9 @@ pub struct LaneProblem<'a, V: State> {
     pub(crate) rows: &'a mut StageRows,
 }
 
-/// The number of sweeps that are watched at the least.
+/// The number of sweeps that are watched before the one with which the iteration is expected to end.
 ///
-/// To measure the changes of a sweep takes as long as the sweep. Those before the last few say nothing about convergence.
+/// To measure the changes of a sweep takes as long as the sweep, and those of the first ones say nothing about its end.
 const WATCHED: usize = 4;
 
 impl<V: State> LaneProblem<'_, V> {
