@@ -17,10 +17,21 @@ pub(crate) struct Linear {
 }
 
 impl Linear {
+    /// Returns whether the result is a function of one's own coordinate alone.
+    pub(crate) fn is_of_own(&self) -> bool {
+        self.others.is_empty()
+    }
+
+    /// Returns the result for one's own coordinate, without the others.
+    #[cfg_attr(optimised, inline(always))]
+    pub(crate) fn at_own<T: Real>(&self, own: T) -> T {
+        own * self.scale + self.offset
+    }
+
     /// Returns the result for one's own coordinate and the coordinates with an index.
     #[cfg_attr(optimised, inline(always))]
     pub(crate) fn at<T: Real>(&self, own: T, input: impl Fn(usize) -> T) -> T {
-        let mut sum = own * self.scale + self.offset;
+        let mut sum = self.at_own(own);
         for &(i, factor) in &*self.others {
             sum += input(usize::from(i)) * factor;
         }

@@ -20,6 +20,9 @@ pub(crate) struct Tape {
     inputs: usize,
     /// The i-th result before the first instruction, a sum of multiples of coordinates.
     results: Box<[Linear]>,
+    /// Whether each result before the first instruction is a function of the coordinate that belongs to it. Then no coordinate
+    /// is found by its index, which would take all out of the registers of the processor.
+    is_diagonal: bool,
     instructions: Box<[Instruction<u16>]>,
     /// The numbers that are in further registers before the first instruction.
     numbers: Box<[(u16, f64)]>,
@@ -46,8 +49,11 @@ impl Tape {
         let selected = select(&graph, &left.iter().flatten().copied().collect::<Vec<_>>());
         let allocation = allocate(&graph, &selected, &left, inputs)?;
         let Allocation { instructions, numbers, size } = allocation;
+        let mut results = linear.iter().flatten();
+        let is_diagonal = results.all(Linear::is_of_own);
         Ok(Self {
             inputs,
+            is_diagonal,
             results: linear.into_iter().map(Option::unwrap_or_default).collect(),
             instructions: instructions.into(),
             numbers: numbers.into(),
@@ -72,6 +78,7 @@ impl Tape {
     ) -> V {
         let results = self.results.get(..V::DIM).filter(|_| self.inputs == inputs);
         match results.filter(|_| self.instructions.is_empty()) {
+            Some(linear) if self.is_diagonal => V::from_coordinates(|i| linear[i].at_own(own(i))),
             Some(linear) => V::from_coordinates(|i| linear[i].at(own(i), &input)),
             None => self.evaluate((inputs, V::DIM), input, own, |results| {
                 V::from_coordinates(|i| result(results, i))
@@ -177,7 +184,10 @@ impl Tape {
             *register = input(i);
         }
         for (i, (register, linear)) in others.iter_mut().zip(linear).enumerate() {
-            *register = linear.at(own(i), |i| first[i]);
+            *register = match self.is_diagonal {
+                true => linear.at_own(own(i)),
+                false => linear.at(own(i), |i| first[i]),
+            };
         }
         for &(register, number) in &*self.numbers {
             registers[usize::from(register) % SIZE] = T::from_f64(number);

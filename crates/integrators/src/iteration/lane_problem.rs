@@ -163,6 +163,26 @@ impl<V: State> Sweep<'_, V> {
     fn advance<T: Lanes, W: State<Scalar = T>, const S: usize>(
         &self,
         field: &impl Fn(&W, &mut W),
+        how: (bool, bool),
+        block: usize,
+        (rows, vectors): (&mut StageRows, &mut [W; 3]),
+        progress: &mut SweepChange<W>,
+    ) {
+        // Local variables of a small type stay in registers.
+        let mut local;
+        let vectors = if size_of::<W::Pool>() == 0 {
+            local = vectors.clone();
+            &mut local
+        } else {
+            vectors
+        };
+        self.advance_with::<T, W, S>(field, how, block, (rows, vectors), progress);
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn advance_with<T: Lanes, W: State<Scalar = T>, const S: usize>(
+        &self,
+        field: &impl Fn(&W, &mut W),
         (watched, near): (bool, bool),
         block: usize,
         (StageRows { k, small, .. }, [point, value, before]): (&mut StageRows, &mut [W; 3]),

@@ -91,7 +91,11 @@ where
         *outcome = Some(problem.solve::<T, _, S>(
             blank,
             #[cfg_attr(optimised, inline(always))]
-            |z, value| VectorField::<T>::at_into(field, z, value),
+            |z, value| match size_of::<<V as State>::Pool>() {
+                // A small value stays in registers.
+                0 => *value = VectorField::<T>::at(field, z),
+                _ => VectorField::<T>::at_into(field, z, value),
+            },
         ));
     }
 }

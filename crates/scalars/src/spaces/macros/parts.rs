@@ -129,6 +129,20 @@ macro_rules! state_of_parts {
                     }
                 }
 
+                fn set_coordinates(&mut self, f: impl Fn(usize) -> $scalar) {
+                    let count = $crate::State::dimension(&self.$first);
+                    $crate::State::set_coordinates(
+                        &mut self.$first,
+                        #[cfg_attr(optimised, inline(always))]
+                        |i| f(i),
+                    );
+                    $crate::State::set_coordinates(
+                        &mut self.$second,
+                        #[cfg_attr(optimised, inline(always))]
+                        |i| f(count + i),
+                    );
+                }
+
                 /// Returns the block of a coordinate: the blocks of the first part come first.
                 fn block(&self, i: usize) -> usize {
                     match i.checked_sub($crate::State::dimension(&self.$first)) {
