@@ -7,47 +7,49 @@ use std::collections::BTreeMap;
 /// The largest number of coordinates besides one's own. Longer sums may have parts in common, which instructions compute once.
 const MOST: usize = 8;
 
-/// The result s x + b + Σ_j c_j x_j of one's own coordinate x and some others.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Linear {
+/// The part s x + b of a result, of its own coordinate x.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Affine {
     scale: f64,
     offset: f64,
-    /// The index and the factor of each of the others.
-    others: Box<[(u16, f64)]>,
 }
 
-impl Linear {
-    /// Returns whether the result is a function of one's own coordinate alone.
-    pub(crate) fn is_of_own(&self) -> bool {
-        self.others.is_empty()
+impl Affine {
+    /// Returns s x + b.
+    #[cfg_attr(optimised, inline(always))]
+    pub(crate) fn at<T: Real>(self, x: T) -> T {
+        x * self.scale + self.offset
+    }
+}
+
+/// The part Σ_j c_j x_j of a result, of other coordinates: the index and the factor of each.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Others(Box<[(u16, f64)]>);
+
+impl Others {
+    /// Returns whether there are none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 
-    /// Returns the result for one's own coordinate, without the others.
+    /// Adds the terms to a sum.
     #[cfg_attr(optimised, inline(always))]
-    pub(crate) fn at_own<T: Real>(&self, own: T) -> T {
-        own * self.scale + self.offset
-    }
-
-    /// Returns the result for one's own coordinate and the coordinates with an index.
-    #[cfg_attr(optimised, inline(always))]
-    pub(crate) fn at<T: Real>(&self, own: T, input: impl Fn(usize) -> T) -> T {
-        let mut sum = self.at_own(own);
-        for &(i, factor) in &*self.others {
-            sum += input(usize::from(i)) * factor;
+    pub(crate) fn add_to<T: Real>(&self, sum: &mut T, input: impl Fn(usize) -> T) {
+        for &(i, factor) in &*self.0 {
+            *sum += input(usize::from(i)) * factor;
         }
-        sum
     }
+}
 
-    /// Returns the form of a node, if it is such a sum with the input of a given index as its own.
-    pub(crate) fn of(graph: &Graph, node: Id, own: usize) -> Option<Self> {
-        let mut sum = Sum::default();
-        sum.add(graph, node, 1.0)?;
-        let Sum { offset, mut factors } = sum;
-        let scale = factors.remove(&own).unwrap_or(0.0);
-        let others = factors.into_iter().map(|(i, factor)| Some((u16::try_from(i).ok()?, factor)));
-        let others: Box<[_]> = others.collect::<Option<_>>()?;
-        (others.len() <= MOST).then_some(Self { scale, offset, others })
-    }
+/// Returns the parts of a node, if it is such a sum with the input of a given index as its own.
+pub(crate) fn linear(graph: &Graph, node: Id, own: usize) -> Option<(Affine, Others)> {
+    let mut sum = Sum::default();
+    sum.add(graph, node, 1.0)?;
+    let Sum { offset, mut factors } = sum;
+    let scale = factors.remove(&own).unwrap_or(0.0);
+    let others = factors.into_iter().map(|(i, factor)| Some((u16::try_from(i).ok()?, factor)));
+    let others: Box<[_]> = others.collect::<Option<_>>()?;
+    (others.len() <= MOST).then_some((Affine { scale, offset }, Others(others)))
 }
 
 /// A constant, and the factor of each coordinate.

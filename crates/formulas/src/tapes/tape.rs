@@ -2,7 +2,7 @@
 
 use super::allocation::{Allocation, SIZES, allocate};
 use super::instruction::{Binary, Instruction, Operation};
-use super::linear::Linear;
+use super::linear::{Affine, Others, linear};
 use super::selection::select;
 use crate::graphs::graph::{Graph, Id};
 use crate::text::formula_error::Problem;
@@ -18,11 +18,11 @@ const FEW: usize = 16;
 pub(crate) struct Tape {
     /// The number of coordinates x, which are in the first registers. The results are in the registers that follow.
     inputs: usize,
-    /// The i-th result before the first instruction, a sum of multiples of coordinates.
-    results: Box<[Linear]>,
-    /// Whether each result before the first instruction is a function of the coordinate that belongs to it. Then no coordinate
-    /// is found by its index, which would take all out of the registers of the processor.
-    is_diagonal: bool,
+    /// The i-th result before the first instruction, as a function of the coordinate that belongs to it.
+    results: Box<[Affine]>,
+    /// What other coordinates add to the results; nothing if none does. Coordinates that are found by their index are not in
+    /// the registers of the processor.
+    others: Box<[Others]>,
     instructions: Box<[Instruction<u16>]>,
     /// The numbers that are in further registers before the first instruction.
     numbers: Box<[(u16, f64)]>,
@@ -42,19 +42,20 @@ impl Tape {
         first: usize,
     ) -> Result<Self, Problem> {
         let (graph, roots) = graph.without_powers(roots);
-        let linear = (first..).zip(&roots).map(|(input, &root)| Linear::of(&graph, root, input));
-        let linear: Vec<_> = linear.collect();
-        let left = roots.iter().zip(&linear);
+        let known = (first..).zip(&roots).map(|(input, &root)| linear(&graph, root, input));
+        let known: Vec<_> = known.collect();
+        let left = roots.iter().zip(&known);
         let left: Vec<_> = left.map(|(&root, known)| known.is_none().then_some(root)).collect();
         let selected = select(&graph, &left.iter().flatten().copied().collect::<Vec<_>>());
         let allocation = allocate(&graph, &selected, &left, inputs)?;
         let Allocation { instructions, numbers, size } = allocation;
-        let mut results = linear.iter().flatten();
-        let is_diagonal = results.all(Linear::is_of_own);
+        let known = known.into_iter().map(Option::unwrap_or_default);
+        let (results, others): (Vec<Affine>, Vec<Others>) = known.unzip();
+        let is_diagonal = others.iter().all(Others::is_empty);
         Ok(Self {
             inputs,
-            is_diagonal,
-            results: linear.into_iter().map(Option::unwrap_or_default).collect(),
+            results: results.into(),
+            others: if is_diagonal { [].into() } else { others.into() },
             instructions: instructions.into(),
             numbers: numbers.into(),
             size,
@@ -78,8 +79,12 @@ impl Tape {
     ) -> V {
         let results = self.results.get(..V::DIM).filter(|_| self.inputs == inputs);
         match results.filter(|_| self.instructions.is_empty()) {
-            Some(linear) if self.is_diagonal => V::from_coordinates(|i| linear[i].at_own(own(i))),
-            Some(linear) => V::from_coordinates(|i| linear[i].at(own(i), &input)),
+            Some(affine) if self.others.is_empty() => V::from_coordinates(|i| affine[i].at(own(i))),
+            Some(affine) => V::from_coordinates(|i| {
+                let mut sum = affine[i].at(own(i));
+                self.others[i].add_to(&mut sum, &input);
+                sum
+            }),
             None => self.evaluate((inputs, V::DIM), input, own, |results| {
                 V::from_coordinates(|i| result(results, i))
             }),
@@ -111,12 +116,15 @@ impl Tape {
         own: impl Fn(usize) -> T,
         results: impl FnOnce(&[T]) -> R,
     ) -> R {
-        let linear = self.results.get(..counts.1);
-        match linear.filter(|_| self.instructions.is_empty() && self.inputs == counts.0) {
-            Some(linear) => {
+        let affine = self.results.get(..counts.1);
+        match affine.filter(|_| self.instructions.is_empty() && self.inputs == counts.0) {
+            Some(affine) => {
                 let mut all = SmallVec::<[T; FEW]>::new();
-                for (i, linear) in linear.iter().enumerate() {
-                    all.push(linear.at(own(i), &input));
+                for (i, affine) in affine.iter().enumerate() {
+                    all.push(affine.at(own(i)));
+                }
+                for (sum, others) in all.iter_mut().zip(&*self.others) {
+                    others.add_to(sum, &input);
                 }
                 results(&all)
             }
@@ -174,20 +182,20 @@ impl Tape {
         results: impl FnOnce(&[T]) -> R,
     ) -> R {
         let mut registers = [T::from_f64(0.0); SIZE];
-        let linear = self.results.get(..outputs).filter(|_| inputs == self.inputs);
-        let (Some(linear), Some((first, others))) =
-            (linear, registers.split_at_mut_checked(inputs))
+        let affine = self.results.get(..outputs).filter(|_| inputs == self.inputs);
+        let (Some(affine), Some((first, others))) =
+            (affine, registers.split_at_mut_checked(inputs))
         else {
             return results(&[]);
         };
         for (i, register) in first.iter_mut().enumerate() {
             *register = input(i);
         }
-        for (i, (register, linear)) in others.iter_mut().zip(linear).enumerate() {
-            *register = match self.is_diagonal {
-                true => linear.at_own(own(i)),
-                false => linear.at(own(i), |i| first[i]),
-            };
+        for (i, (register, affine)) in others.iter_mut().zip(affine).enumerate() {
+            *register = affine.at(own(i));
+        }
+        for (sum, others) in others.iter_mut().zip(&*self.others) {
+            others.add_to(sum, |i| first[i]);
         }
         for &(register, number) in &*self.numbers {
             registers[usize::from(register) % SIZE] = T::from_f64(number);
