@@ -36,7 +36,7 @@ pub(super) struct Integration<'a> {
 type Made = Result<AnyIntegrator<dyn AnyTangents>, FormulaSystemError>;
 
 /// Any scheme, whose type is one: a step is a composition of one substep.
-pub(super) type AnyScheme = Composition<RungeKutta>;
+type AnyScheme = Composition<RungeKutta>;
 
 impl Integration<'_> {
     /// Makes the integrator.
@@ -64,7 +64,7 @@ impl Integration<'_> {
     }
 
     /// Returns the scheme of the method.
-    pub(super) fn scheme(&self) -> Result<AnyScheme, FormulaSystemError> {
+    pub(super) fn scheme(&self) -> Result<Composition<RungeKutta>, FormulaSystemError> {
         let scheme = self.method.scheme().runge_kutta(self.method.tolerance())?;
         scheme.ok_or_else(|| self.impossible())
     }
@@ -219,7 +219,7 @@ impl Integration<'_> {
 
     /// Returns the Clebsch map of the adjoint representation. If the start has no lift, it is that of the coadjoint
     /// representation.
-    pub(super) fn clebsch_map<const N: usize>(&self) -> Result<ClebschMap<N>, FormulaSystemError> {
+    fn clebsch_map<const N: usize>(&self) -> Result<ClebschMap<N>, FormulaSystemError> {
         let algebra = (self.table::<N>()?, self.system.algebra().dimension());
         clebsch_map(algebra, &self.momentum::<N>(), || self.impossible())
     }
@@ -265,9 +265,7 @@ impl Integration<'_> {
         AnyIntegrator::with_tangents(integrator, self.system.algebra().dimension())
     }
 
-    pub(super) fn table<const N: usize>(
-        &self,
-    ) -> Result<StructureConstants<N>, FormulaSystemError> {
+    fn table<const N: usize>(&self) -> Result<StructureConstants<N>, FormulaSystemError> {
         let entries = self.system.algebra().entries();
         structure_constants::<N>(entries).map_err(FormulaSystemError::Structure)
     }
@@ -284,8 +282,6 @@ impl Integration<'_> {
 }
 
 /// Returns the Hamiltonian of a formula.
-pub(super) fn of<A: LieAlgebra>(
-    formula: &Formula,
-) -> Result<FormulaHamiltonian<A>, FormulaSystemError> {
+fn of<A: LieAlgebra>(formula: &Formula) -> Result<FormulaHamiltonian<A>, FormulaSystemError> {
     FormulaHamiltonian::of(formula).map_err(FormulaSystemError::Hamiltonian)
 }

@@ -2,6 +2,7 @@
 
 mod driven_formulas;
 mod forced_formulas;
+mod laws_of_open_systems;
 mod noisy_formulas;
 mod open_refusals;
 mod support;
