@@ -33,7 +33,14 @@ impl SystemScales for FormulaSystem {
     }
 
     fn fastest_rate(&self, mu: &[f64]) -> f64 {
-        let (xi, dimension) = (self.hamiltonian().differential_at(mu), self.algebra().dimension());
+        self.rate_of_element(&self.hamiltonian().differential_at(mu))
+    }
+}
+
+impl FormulaSystem {
+    /// Returns the fastest rate of a motion along an element ξ of the algebra.
+    pub(crate) fn rate_of_element(&self, xi: &[f64]) -> f64 {
+        let dimension = self.algebra().dimension();
         let mut adjoint = vec![0.0; dimension * dimension];
         for &StructureEntry { i, j, k, value } in self.algebra().entries() {
             for (i, j, value) in [(i, j, value), (j, i, -value)] {

@@ -78,6 +78,11 @@ impl NamedInputs {
         }
     }
 
+    /// Returns the times of all tables.
+    pub(super) fn times(&self) -> impl Iterator<Item = f64> {
+        self.0.iter().flat_map(|(_, table)| table.breakpoints().iter().copied())
+    }
+
     /// Returns the next breakpoint after a time, or before it.
     pub(crate) fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
         let breaks = self.0.iter().filter_map(|(_, table)| table.next_break(time, forward));

@@ -18,7 +18,7 @@ pub(super) type OpenState<T> = Pair<AnyState<T>, Pair<Vector2<T>, AnyState<T>>>;
 pub(super) struct Scratch<T> {
     /// The momentum, the time and the inputs.
     x: Vec<T>,
-    xi: Vec<T>,
+    pub(super) xi: Vec<T>,
     rate: Vec<T>,
     element: Vec<T>,
 }

@@ -10,6 +10,7 @@ use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use collective_integrators::{
     AnyIntegrator, AnyState, AnyTangents, NoisePart, VectorField, Window,
 };
+use core::cell::RefCell;
 use heavytop::methods::{Formulation, Method, SchemeName};
 use lie_poisson::{Pair, Quaternion, State};
 use nalgebra::Vector2;
@@ -22,13 +23,34 @@ impl OpenSystem {
     /// Returns [`FormulaSystemError::StateLength`] if the length of the state is not the dimension.
     pub fn rate(&self, state: &[f64], time: f64) -> Result<Vec<f64>, FormulaSystemError> {
         self.base().require_length(state)?;
-        let part = NoisePart { drift: 1.0, weights: &[], step: 0.0 };
         let scratch = Scratch::new(state.len());
-        let window = Window::ALL;
-        let field = OpenField { system: self, momenta: None, part, window, scratch: &scratch };
+        Ok(self.rate_and_element(state, time, &scratch))
+    }
+
+    /// Returns the element of the algebra along which the momentum moves at a time, without the noise; NaN for a state of another
+    /// dimension.
+    pub(super) fn element(&self, state: &[f64], time: f64) -> Vec<f64> {
+        let dimension = self.base().algebra().dimension();
+        if state.len() != dimension {
+            return vec![f64::NAN; dimension];
+        }
+        let scratch = Scratch::new(dimension);
+        self.rate_and_element(state, time, &scratch);
+        scratch.into_inner().xi
+    }
+
+    /// Returns the rate, and leaves the element in the scratch.
+    fn rate_and_element(
+        &self,
+        state: &[f64],
+        time: f64,
+        scratch: &RefCell<Scratch<f64>>,
+    ) -> Vec<f64> {
+        let part = NoisePart { drift: 1.0, weights: &[], step: 0.0 };
+        let field = OpenField { system: self, momenta: None, part, window: Window::ALL, scratch };
         let clock = Vector2::new(0.0, time / self.interval());
         let at = Pair(AnyState::from_slice(state), Pair(clock, AnyState::from_slice(&[])));
-        Ok(field.at(&at).0.as_slice().to_vec())
+        field.at(&at).0.as_slice().to_vec()
     }
 
     /// Moves a state of an integrator without attitude so many paths on from the path of the noise.

@@ -1,6 +1,7 @@
 //! Hamiltonians with time, inputs and drives, damping.
 
 use super::support::{Texts, after, distance, method, open};
+use collective_integrators::diagnostics::SystemScales;
 use collective_integrators::{AnyState, Driven, Integrator, RungeKutta, Start, fitted_order};
 use lie_poisson::{Covector, InputTable, Interpolation, LiePoisson, OrbitField, Pair, Real, So3};
 use momentum_map::HOPF;
@@ -211,4 +212,24 @@ fn resumed_is_the_same(texts: &Texts) {
     };
     let middle = run(None, 1024);
     assert_eq!(run(Some((middle, 1024)), 2100), run(None, 2100));
+}
+
+/// A spin at rest until a pulse turns it by 30 rad/s, and one that a drive turns.
+#[test]
+fn the_fastest_rate_knows_pulses_and_drives() {
+    let pulse = InputTable::new(
+        vec![0.0, 4.0, 5.0, 9.0],
+        vec![0.0, 30.0, 0.0, 0.0],
+        Interpolation::Constant,
+    );
+    let texts = Texts { inputs: vec![("u", pulse.unwrap())], ..Texts::default() };
+    let rate = |hamiltonian: &str, texts: &Texts| {
+        open("so(3)", hamiltonian, texts, 0.01).unwrap().fastest_rate(&[0.6, 0.0, 0.8])
+    };
+    assert!((rate("-u*Pi3", &texts) / 30.0 - 1.0).abs() < 1e-3);
+    let driven = Texts { drive: Some(vec!["0", "7", "0"]), ..Texts::default() };
+    assert!((rate("0*Pi3", &driven) / 7.0 - 1.0).abs() < 1e-3);
+    // Control: without them nothing turns.
+    assert_eq!(rate("0*Pi3", &Texts::default()), 0.0);
+    assert!(open("so(3)", "0*Pi3", &driven, 0.01).unwrap().fastest_rate(&[1.0]).is_nan());
 }
