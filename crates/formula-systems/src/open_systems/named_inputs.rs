@@ -5,14 +5,14 @@ use crate::open_system_error::OpenSystemError;
 use lie_poisson::{InputTable, Real};
 use lie_poisson_formulas::{Parameters, Vocabulary};
 
-/// The name of the time in formulas.
-pub(crate) const TIME: &str = "t";
-
 /// Inputs u(t) by tables, whose names formulas may use beside the coordinates and the time `t`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NamedInputs(Vec<(String, InputTable)>);
 
 impl NamedInputs {
+    /// The name of the time in formulas.
+    pub const TIME: &str = "t";
+
     /// Creates the inputs of these names.
     #[must_use]
     pub const fn new(inputs: Vec<(String, InputTable)>) -> Self {
@@ -31,14 +31,14 @@ impl NamedInputs {
         let names = self.0.iter().map(|(name, _)| name.as_str());
         let mut coordinates = algebra.coordinates().clone();
         let wrong = |name: &str, reason| match name {
-            TIME => OpenSystemError::TimeName,
+            Self::TIME => OpenSystemError::TimeName,
             _ => OpenSystemError::InputName { name: name.into(), reason },
         };
-        for name in [TIME].into_iter().chain(names) {
+        for name in [Self::TIME].into_iter().chain(names) {
             coordinates = coordinates.scalar(name).map_err(|reason| wrong(name, reason))?;
             Vocabulary::new(&coordinates, parameters).map_err(|reason| wrong(name, reason))?;
         }
-        Vocabulary::new(&coordinates, parameters).map_err(|reason| wrong(TIME, reason))
+        Vocabulary::new(&coordinates, parameters).map_err(|reason| wrong(Self::TIME, reason))
     }
 
     /// Returns the parameters with the time and the inputs as numbers, which are those of the time 0: for the system as it is
@@ -48,7 +48,7 @@ impl NamedInputs {
     /// Returns [`OpenSystemError::InputName`] for a name that cannot be one or is there already.
     pub fn frozen(&self, parameters: Parameters) -> Result<Parameters, OpenSystemError> {
         let wrong = |name: &str, reason| OpenSystemError::InputName { name: name.into(), reason };
-        let timed = parameters.number(TIME, 0.0).map_err(|_| OpenSystemError::TimeName)?;
+        let timed = parameters.number(Self::TIME, 0.0).map_err(|_| OpenSystemError::TimeName)?;
         self.0.iter().try_fold(timed, |all, (name, table)| {
             let first = table.breakpoints().first().copied().unwrap_or(0.0);
             let value = table.at(first.max(0.0));

@@ -5,12 +5,6 @@ use crate::open_system_error::OpenSystemError;
 use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::BrownianPaths;
 
-/// The number of paths, which a coordinate of the state tells apart.
-const PATHS: u64 = 1 << 53;
-
-/// The most intervals of the noise in a step, each of which has random numbers of its own.
-const MOST_INTERVALS: f64 = 1e4;
-
 /// A Lie–Poisson system that is driven, damped, noisy or forced, as its [`OpenTerms`] say.
 ///
 /// Without a torque each motion stays on its coadjoint orbit: the Casimirs are conserved, to round-off by the collective
@@ -65,9 +59,9 @@ impl OpenSystem {
         let paths = match &terms.noise {
             None => None,
             Some(noise) => {
-                let (path, least) = (noise.path, step.abs() / MOST_INTERVALS);
-                if path >= PATHS {
-                    return Err(OpenSystemError::PathNumber { path, most: PATHS });
+                let (path, least) = (noise.path, step.abs() / Self::MOST_INTERVALS);
+                if path >= Self::PATHS {
+                    return Err(OpenSystemError::PathNumber { path, most: Self::PATHS });
                 }
                 if interval < least {
                     return Err(OpenSystemError::ShortInterval { interval, least });
@@ -94,8 +88,11 @@ impl OpenSystem {
         &self.terms
     }
 
-    /// The number of paths of a noise that are told apart.
-    pub const PATHS: u64 = PATHS;
+    /// The number of paths of a noise that are told apart, by a coordinate of the state.
+    pub const PATHS: u64 = 1 << 53;
+
+    /// The most intervals of a noise in a step, each of which has random numbers of its own.
+    pub const MOST_INTERVALS: f64 = 1e4;
 
     /// Returns the system with the path of another number, which must be below [`PATHS`](Self::PATHS).
     #[must_use]

@@ -17,9 +17,6 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// The name of the time in formulas.
-const TIME: &str = "t";
-
 /// The table `[system]`: a Lie algebra, a Hamiltonian on its dual, and the state at t = 0.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
@@ -144,9 +141,9 @@ impl SystemConfig {
     pub(crate) fn depends_on_time(&self) -> bool {
         let is_part = |c: char| c.is_alphanumeric() || c == '_';
         let mut words = self.hamiltonian.iter().flat_map(|text| text.split(|c| !is_part(c)));
-        let is_coordinate = |name: &String| name == TIME;
-        words.any(|word| word == TIME)
-            && !self.parameters.contains_key(TIME)
+        let is_coordinate = |name: &String| name == NamedInputs::TIME;
+        words.any(|word| word == NamedInputs::TIME)
+            && !self.parameters.contains_key(NamedInputs::TIME)
             && !self.coordinates.iter().flatten().any(is_coordinate)
     }
 

@@ -5,9 +5,6 @@ use lie_poisson::DissipationError;
 use lie_poisson_formula_systems::{OpenSystem, OpenSystemError};
 use lie_poisson_systems::SpinDamping;
 
-/// The most intervals of the noise in a step, each of which has random numbers of its own.
-const MOST_INTERVALS: f64 = 1e4;
-
 /// The friction of spins on a lattice, and the noise that goes with it at a temperature.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LatticeTerms {
@@ -72,7 +69,8 @@ impl LatticeNoise {
             return Err(OpenSystemError::PathNumber { path, most });
         }
         // Runs backward count the same intervals.
-        let (interval, least) = (self.interval.unwrap_or(step.abs()), step.abs() / MOST_INTERVALS);
+        let (interval, least) =
+            (self.interval.unwrap_or(step.abs()), step.abs() / OpenSystem::MOST_INTERVALS);
         if interval < least {
             return Err(OpenSystemError::ShortInterval { interval, least });
         }
