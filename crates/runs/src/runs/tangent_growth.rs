@@ -2,6 +2,7 @@
 
 use super::schedule::Schedule;
 use crate::error::RunFailure;
+use crate::models::model::Model;
 use collective_integrators::{
     AnyIntegrator, AnyState, AnyTangents, Megno, Start, VariationalError, VariationalFlow,
     smaller_alignment_index,
@@ -24,6 +25,35 @@ pub struct TangentGrowth {
 }
 
 impl TangentGrowth {
+    /// Follows a motion of a model by a method, with so many tangent vectors. Without any it makes the steps of a run, of the
+    /// fastest integrator; steps with tangent vectors differ from these by rounding errors.
+    ///
+    /// # Errors
+    /// If the model has no such integrator, and those of [`follow`](Self::follow).
+    pub fn of_model(
+        model: &dyn Model,
+        (method, start): (&Method, &[f64]),
+        schedule: Schedule,
+        tangents: usize,
+        observe: &mut dyn FnMut(f64, &[f64]),
+    ) -> Result<Self, RunFailure> {
+        let from = AnyState::from_slice(start);
+        if tangents > 0 {
+            let integrator = model.tangent_integrator(method, start)?;
+            return Self::follow(&integrator, &from, schedule, (tangents, method), observe);
+        }
+        let Schedule { step, steps } = schedule;
+        let integrator = model.integrator(method, start)?;
+        let mut end = from.clone();
+        let run = integrator.trajectory(&from, step)?.skip(1);
+        for sample in run.take(usize::try_from(steps).unwrap_or(usize::MAX)) {
+            let sample = sample.map_err(|error| RunFailure::of_step(method, error))?;
+            observe(sample.time, sample.momentum.as_slice());
+            end = sample.momentum;
+        }
+        Ok(Self { end, lyapunov: 0.0, megno: 0.0, alignment: None })
+    }
+
     /// Follows a motion with 0, 1 or 2 tangent vectors; more than 2 count as 2. `observe` takes notice of the time (s) and
     /// of the momentum after each step. `method` is that of the integrator.
     ///

@@ -99,6 +99,11 @@ fn systems_sweeps_and_comparisons_go_backward() {
         let values = column(&measured, name);
         assert!(values.iter().all(|value| value.is_some_and(|x| x > 0.1)), "{name} {values:?}");
     }
+    // The end of a chaotic motion is that of the same steps alone, which are made without tangent vectors.
+    let set = "sweep.observables=['final-state']";
+    let run = folder.heavytop(&["sweep", "sweep.toml", "--out", "ends", "--set", set]);
+    assert_eq!(run.code(), 0, "{}", run.stderr());
+    let measured = rows(&folder, "ends/sweep.parquet");
     let alone = "initial.angular_momentum = [1, 2, 1]\nbody = { inertia = [1, 1.7, 2.2], gravity = 9.81, length = 0.5 }\n\
                  integrator = { formulation = 'reduced', scheme = 'gauss-8', step = 0.05, end = -100 }";
     let alone = simulated(&folder, alone);

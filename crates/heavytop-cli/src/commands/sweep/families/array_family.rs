@@ -6,8 +6,6 @@ use super::measured_motion::Drift;
 use super::varied_number::VariedNumbers;
 use crate::configuration::{Column, Config, Integration, Observable, SweepAxis, SystemConfig};
 use crate::errors::{Error, SweepError, SystemTableError};
-use crate::runs::Schedule;
-use collective_integrators::{AnyState, Start};
 use heavytop::methods::{Formulation, Method, SchemeName};
 use lie_poisson_runs::step_angle::require_run;
 use lie_poisson_runs::{ArraySystem, Model, RunFailure, TangentGrowth};
@@ -84,26 +82,6 @@ impl ArrayFamily {
         require_run(&system, &self.method, (&start, step))?;
         Ok((system, start))
     }
-
-    /// Follows a motion without tangent vectors, which not all integrators have.
-    fn end(
-        &self,
-        system: &ArraySystem,
-        start: &AnyState,
-        course: &Course,
-        observe: &mut dyn FnMut(f64, &[f64]),
-    ) -> Result<TangentGrowth, Error> {
-        let Schedule { step, steps } = course.schedule;
-        let integrator = system.integrator(&self.method, start.as_slice())?;
-        let mut end = start.clone();
-        let run = integrator.trajectory(start, step).map_err(RunFailure::from)?;
-        for sample in run.take(usize::try_from(steps).unwrap_or(usize::MAX).saturating_add(1)) {
-            let sample = sample.map_err(|error| RunFailure::of_step(&self.method, error))?;
-            observe(sample.time, sample.momentum.as_slice());
-            end = sample.momentum;
-        }
-        Ok(TangentGrowth { end, lyapunov: 0.0, megno: 0.0, alignment: None })
-    }
 }
 
 /// Returns the names of what is conserved.
@@ -161,15 +139,9 @@ impl Family for ArrayFamily {
         let (system, start) = self.at(values, course.schedule.step)?;
         let mut drift = Drift::new(&system, &start)?;
         let mut observe = |time: f64, state: &[f64]| drift.observe(time, state);
-        let from = AnyState::from_slice(&start);
-        let grown = match course.tangents() {
-            0 => self.end(&system, &from, course, &mut observe)?,
-            tangents => {
-                let integrator = system.tangent_integrator(&self.method, &start)?;
-                let followed = (tangents, &self.method);
-                TangentGrowth::follow(&integrator, &from, course.schedule, followed, &mut observe)?
-            }
-        };
+        let (run, tangents) = ((&self.method, start.as_slice()), course.tangents());
+        let schedule = course.schedule;
+        let grown = TangentGrowth::of_model(&system, run, schedule, tangents, &mut observe)?;
         if let Some((time, state)) = &drift.undefined {
             let (time, reason) = (*time, drift.conserved.without_value(*time, state));
             return Err(RunFailure::NoValue { time, reason }.into());

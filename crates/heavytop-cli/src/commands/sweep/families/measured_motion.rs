@@ -4,27 +4,24 @@ use super::course::Course;
 use super::gauge::Gauge;
 use crate::configuration::Observable;
 use crate::errors::Error;
-use collective_integrators::{AnyIntegrator, AnyState, AnyTangents};
 use heavytop::methods::Method;
 use lie_poisson::larger;
 use lie_poisson_runs::{Conserved, Model, RunFailure, TangentGrowth};
 
-/// Follows the motion from a start, and returns the values of the columns of all observables. `method` is the one of the
-/// integrator.
+/// Follows the motion of a model from a start by a method, and returns the values of the columns of all observables.
 ///
 /// # Errors
 /// If no state represents the start, or the motion cannot be followed to the end.
 pub(super) fn measure(
-    integrator: &AnyIntegrator<dyn AnyTangents>,
-    start: &AnyState,
+    model: &dyn Model,
+    run: (&Method, &[f64]),
     gauge: &mut Gauge<'_>,
     course: &Course,
-    method: &Method,
 ) -> Result<Vec<Option<f64>>, Error> {
     // A tangent vector costs more than the state: there are as many as the observables need.
-    let followed = (course.tangents(), method);
+    let (schedule, tangents) = (course.schedule, course.tangents());
     let mut observe = |time, momentum: &[f64]| gauge.observe(time, momentum);
-    let grown = TangentGrowth::follow(integrator, start, course.schedule, followed, &mut observe)?;
+    let grown = TangentGrowth::of_model(model, run, schedule, tangents, &mut observe)?;
     let values = |observable: &Observable| match observable {
         Observable::Lyapunov => vec![Some(grown.lyapunov)],
         Observable::Megno => vec![Some(grown.megno)],

@@ -9,7 +9,6 @@ use crate::configuration::{Column, Config, Integration, Observable, SweepAxis, S
 use crate::errors::{Error, SweepError};
 use crate::pictures::caption::{self, number, vector_of};
 use crate::pictures::symbols::symbol;
-use collective_integrators::AnyState;
 use heavytop::methods::Method;
 use lie_poisson_formula_systems::FormulaSystem;
 use lie_poisson_runs::Model;
@@ -198,9 +197,7 @@ impl Family for SystemFamily {
         let quantities = std::iter::once(hamiltonian).chain(casimirs).collect();
         let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
         let mut gauge = Gauge::new(&system, quantities, (&start, wants_sizes));
-        let integrator = system.tangent_integrator(&self.method, &start)?;
-        let from = AnyState::from_slice(&start);
-        let measured = measure(&integrator, &from, &mut gauge, course, self.method())?;
+        let measured = measure(&system, (&self.method, &start), &mut gauge, course)?;
         if let Some(state) = gauge.undefined() {
             system.invariants(state)?;
         }

@@ -10,7 +10,6 @@ use crate::configuration::{
     SweepAxis, TopParameter,
 };
 use crate::errors::{Error, SweepError};
-use collective_integrators::AnyState;
 use heavytop::Invariant;
 use heavytop::methods::{Formulation, Method};
 use lie_poisson::Se3Dual;
@@ -194,8 +193,7 @@ impl Family for TopFamily {
         let wants_sizes = course.observables.contains(&Observable::RelativeDrift);
         let gauge = Gauge::new(&model, each, (&from, wants_sizes));
         let mut gauge = gauge.with_nutation(&model.top, &from);
-        let integrator = self.method.tangent_integrator(&model.top)?;
-        measure(&integrator, &AnyState::of(&start), &mut gauge, course, self.method())
+        measure(&model, (&self.method, &from), &mut gauge, course)
     }
 }
 
