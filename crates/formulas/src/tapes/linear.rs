@@ -32,12 +32,14 @@ impl Others {
         self.0.is_empty()
     }
 
-    /// Adds the terms to a sum.
+    /// Returns a sum with the terms added.
     #[cfg_attr(optimised, inline(always))]
-    pub(crate) fn add_to<T: Real>(&self, sum: &mut T, input: impl Fn(usize) -> T) {
+    pub(crate) fn added_to<T: Real>(&self, sum: T, input: impl Fn(usize) -> T) -> T {
+        let mut sum = sum;
         for &(i, factor) in &*self.0 {
-            *sum += input(usize::from(i)) * factor;
+            sum += input(usize::from(i)) * factor;
         }
+        sum
     }
 }
 

@@ -79,12 +79,16 @@ impl Tape {
     ) -> V {
         let results = self.results.get(..V::DIM).filter(|_| self.inputs == inputs);
         match results.filter(|_| self.instructions.is_empty()) {
-            Some(affine) if self.others.is_empty() => V::from_coordinates(|i| affine[i].at(own(i))),
-            Some(affine) => V::from_coordinates(|i| {
-                let mut sum = affine[i].at(own(i));
-                self.others[i].add_to(&mut sum, &input);
-                sum
-            }),
+            Some(affine) => match self.others.get(..V::DIM) {
+                None => V::from_coordinates(
+                    #[cfg_attr(optimised, inline(always))]
+                    |i| affine[i].at(own(i)),
+                ),
+                Some(others) => V::from_coordinates(
+                    #[cfg_attr(optimised, inline(always))]
+                    |i| others[i].added_to(affine[i].at(own(i)), &input),
+                ),
+            },
             None => self.evaluate((inputs, V::DIM), input, own, |results| {
                 V::from_coordinates(|i| result(results, i))
             }),
@@ -124,7 +128,7 @@ impl Tape {
                     all.push(affine.at(own(i)));
                 }
                 for (sum, others) in all.iter_mut().zip(&*self.others) {
-                    others.add_to(sum, &input);
+                    *sum = others.added_to(*sum, &input);
                 }
                 results(&all)
             }
@@ -195,7 +199,7 @@ impl Tape {
             *register = affine.at(own(i));
         }
         for (sum, others) in others.iter_mut().zip(&*self.others) {
-            others.add_to(sum, |i| first[i]);
+            *sum = others.added_to(*sum, |i| first[i]);
         }
         for &(register, number) in &*self.numbers {
             registers[usize::from(register) % SIZE] = T::from_f64(number);
