@@ -10,7 +10,8 @@ const MOST_TIMES: usize = 64;
 const MOST_ENTRIES: usize = 1 << 12;
 
 /// The blocks and the differential are those of the Hamiltonian at the time 0. The fastest rate is that along the element of
-/// the algebra with which the momentum moves, without noise, at the time 0 and at those of the tables of the inputs.
+/// the algebra with which the momentum moves, without noise, at the time 0 and at those of the tables of the inputs, before 0 and
+/// after it, whether a run comes there or not.
 impl SystemScales for OpenSystem {
     fn blocks(&self) -> Vec<Range<usize>> {
         self.base().blocks()
@@ -31,7 +32,7 @@ impl OpenSystem {
     fn times_of_inputs(&self) -> Vec<f64> {
         let dimension = self.base().algebra().dimension().max(1);
         let most = (MOST_ENTRIES / (dimension * dimension)).clamp(1, MOST_TIMES);
-        let times: Vec<f64> = self.terms().inputs.times().filter(|time| *time > 0.0).collect();
+        let times: Vec<f64> = self.terms().inputs.times().collect();
         let stride = times.len().div_ceil(most).max(1);
         [0.0].into_iter().chain(times.into_iter().step_by(stride)).collect()
     }

@@ -9,7 +9,7 @@ use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
 
 /// The number of momenta that need no storage on the heap.
-const FEW: usize = 16;
+const FEW: usize = 64;
 
 /// The field ż = X_(h∘J)(z).
 pub(crate) struct RealisedField {

@@ -10,8 +10,8 @@ use lie_poisson::{Real, Vector, euclidean_norm};
 use nalgebra::Vector2;
 use smallvec::SmallVec;
 
-/// The number of linear results that need no storage on the heap.
-const FEW: usize = 16;
+/// The largest number of linear results that are passed on without the registers, which need no storage on the heap.
+const FEW: usize = 64;
 
 /// Instructions without branches or loops, which are the same for every scalar.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,7 +120,7 @@ impl Tape {
         own: impl Fn(usize) -> T,
         results: impl FnOnce(&[T]) -> R,
     ) -> R {
-        let affine = self.results.get(..counts.1);
+        let affine = self.results.get(..counts.1).filter(|affine| affine.len() <= FEW);
         match affine.filter(|_| self.instructions.is_empty() && self.inputs == counts.0) {
             Some(affine) => {
                 let mut all = SmallVec::<[T; FEW]>::new();

@@ -227,6 +227,11 @@ fn the_fastest_rate_knows_pulses_and_drives() {
         open("so(3)", hamiltonian, texts, 0.01).unwrap().fastest_rate(&[0.6, 0.0, 0.8])
     };
     assert!((rate("-u*Pi3", &texts) / 30.0 - 1.0).abs() < 1e-3);
+    // A run backward in time meets a pulse before 0.
+    let before =
+        InputTable::new(vec![-5.0, -4.0, 1.0], vec![20.0, 0.0, 0.0], Interpolation::Constant);
+    let texts = Texts { inputs: vec![("u", before.unwrap())], ..Texts::default() };
+    assert!((rate("-u*Pi3", &texts) / 20.0 - 1.0).abs() < 1e-3);
     let driven = Texts { drive: Some(vec!["0", "7", "0"]), ..Texts::default() };
     assert!((rate("0*Pi3", &driven) / 7.0 - 1.0).abs() < 1e-3);
     // Control: without them nothing turns.
