@@ -47,7 +47,7 @@ impl Config {
     ///
     /// # Errors
     /// If one is no table.
-    pub(super) fn named_inputs(&self) -> Result<NamedInputs, Error> {
+    pub(crate) fn named_inputs(&self) -> Result<NamedInputs, Error> {
         let inputs = self
             .inputs
             .iter()
