@@ -16,6 +16,9 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
     let repair = |key: &str, note: String| (key.to_string(), note);
     match error {
         Error::Body(top) => vec![of_vector("body", top, config.body.center_of_mass)],
+        Error::InputFile { name, .. } => {
+            vec![repair(&format!("inputs.{name}.file"), String::new())]
+        }
         Error::CentralMoments => {
             let note = "write mass and length too, or moments about the support".to_string();
             vec![repair("body.inertia_about", note)]

@@ -2,6 +2,7 @@
 
 mod element;
 mod input_config;
+mod input_file;
 mod damping_config;
 mod noise_config;
 mod open_tables;

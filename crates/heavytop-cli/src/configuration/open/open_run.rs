@@ -112,7 +112,7 @@ impl Config {
             let (name, range) = ("output.every", "at least 1");
             return Err(Error::OutOfRange { name, range, value: 0.0 });
         }
-        system.terms().inputs.require_until(schedule.end())?;
+        self.require_inputs(&system.terms().inputs, schedule.end())?;
         let model = model(system);
         require_run(&model, &method, (&start, step))?;
         let pace = Pace { schedule, every };

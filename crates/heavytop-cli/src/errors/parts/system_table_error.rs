@@ -115,6 +115,12 @@ pub enum SystemTableError {
         /// The key, and what it may be.
         key: &'static str,
     },
+    /// The table of an input is given twice.
+    #[error("[inputs.{input}] has file, or times and values, not both")]
+    TwoTables {
+        /// The name of the input.
+        input: String,
+    },
     /// There is no noise in `[noise]`, or more than one.
     #[error(
         "[noise] has one of temperature, which goes with [damping], strength, with or without inner_product, and fields"
@@ -157,6 +163,7 @@ impl SystemTableError {
             | Self::FormOfLattice
             | Self::NoForces { .. }
             | Self::MissingKey { .. }
+            | Self::TwoTables { .. }
             | Self::OneNoise
             | Self::ColumnOfClosed { .. }
             | Self::OpenRod
@@ -204,6 +211,9 @@ impl SystemTableError {
             Self::FormOfLattice => key("damping.form", "leave it out"),
             Self::NoForces { table } => key(table, "write formulas, or remove the table"),
             Self::MissingKey { table, .. } => key(table, "add the key"),
+            Self::TwoTables { input } => {
+                vec![(format!("inputs.{input}.file"), "leave it out, or times and values")]
+            }
             Self::OneNoise => key("noise", "write one of them"),
             Self::ColumnOfClosed { .. } => key("output.columns", "leave it out"),
             Self::OpenRod => key("body.inertia", ""),

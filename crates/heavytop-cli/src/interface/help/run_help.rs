@@ -192,6 +192,8 @@ Forces, for simulate, events and ensemble, beside [system] or [body]; t in a for
   times = [0, 10, 20]                # s; from the start of the run to its end
   values = [0, 1, 0]
   interpolation = \"linear\"         # or constant, each value until the next time; or cubic
+  # file = \"u.csv\" instead of times and values: a table with the columns time = \"t\" and
+  # value = \"u\", or, if they are left out, the first two; relative to the configuration
   [drive]                            # a control, added to dh: it keeps the Casimirs
   Pi = [0, 0, \"u*cos(2*t)\"]        # formulas by coordinates; what is left out is 0
   [damping]                          # a double bracket: it lowers h and keeps the Casimirs
