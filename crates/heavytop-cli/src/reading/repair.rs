@@ -219,7 +219,9 @@ fn of_sweep(error: &SweepError, config: &Config) -> Vec<Repair> {
         SweepError::Momentum { axis } => of_axis(axis, "write `initial.angular_velocity` too"),
         SweepError::Matrix { axis } => of_axis(axis, "vary another number"),
         SweepError::Weight { axis } => of_axis(axis, "vary body.weight_moment"),
-        SweepError::OfTops { .. } => vec![repair("observables", "leave it out")],
+        SweepError::OfTops { .. } | SweepError::OfClosed { .. } => {
+            vec![repair("observables", "leave it out")]
+        }
         SweepError::Lifted { .. } => {
             vec![("integrator.formulation".into(), "write \"direct\"".into())]
         }

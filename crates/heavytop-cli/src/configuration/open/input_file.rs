@@ -32,6 +32,18 @@ impl InputConfig {
         Ok(Some(path))
     }
 
+    /// Replaces the file of the table, if there is one, by the times and values in it.
+    ///
+    /// # Errors
+    /// Those of [`columns`](Self::columns).
+    pub(super) fn read_file(&mut self, name: &str) -> Result<(), Error> {
+        let Some(file) = &self.file else { return Ok(()) };
+        let path = Path::new(file);
+        let (times, values) = self.columns(path).map_err(|error| failed(name, path, error))?;
+        *self = Self { times, values, interpolation: self.interpolation, ..Self::default() };
+        Ok(())
+    }
+
     /// Returns the times and the values in the file of the table.
     ///
     /// # Errors

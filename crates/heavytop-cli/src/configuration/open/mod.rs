@@ -13,3 +13,4 @@ pub use damping_config::{DampingConfig, DampingForm, InnerProductConfig};
 pub use element::{Element, Formulas};
 pub use input_config::InputConfig;
 pub use noise_config::NoiseConfig;
+pub(crate) use open_run::{OpenModel, OpenStart};

@@ -69,11 +69,19 @@ impl Config {
         Ok(paths.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
     }
 
+    /// Replaces the files of `[inputs]` by the times and values in them, for many runs with the same tables.
+    ///
+    /// # Errors
+    /// If a file cannot be read, or has no such table.
+    pub(crate) fn read_inputs(&mut self) -> Result<(), Error> {
+        self.inputs.iter_mut().flatten().try_for_each(|(name, input)| input.read_file(name))
+    }
+
     /// Checks that the inputs reach from 0 to the end of a run.
     ///
     /// # Errors
     /// If one does not; the error names its file, if it has one.
-    pub(super) fn require_inputs(&self, inputs: &NamedInputs, end: f64) -> Result<(), Error> {
+    pub(crate) fn require_inputs(&self, inputs: &NamedInputs, end: f64) -> Result<(), Error> {
         inputs.require_until(end).map_err(|error| match &error {
             OpenSystemError::Input { name, reason } => {
                 let input = self.inputs.as_ref().and_then(|inputs| inputs.get(name));

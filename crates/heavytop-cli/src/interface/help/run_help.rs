@@ -187,7 +187,7 @@ Kinds, and their parameters (* if they may be left out):
 A kind without parameters is refused with their meaning and units, and heavytop init --kind NAME
 writes a configuration to begin with.
 
-Forces, for simulate, events and ensemble, beside [system] or [body]; t in a formula is the time:
+Forces, for simulate, events, sweep and ensemble, beside [system] or [body]; t in a formula is the time:
   [inputs.u]                         # u(t) for formulas, by a table
   times = [0, 10, 20]                # s; from the start of the run to its end
   values = [0, 1, 0]

@@ -108,10 +108,8 @@ fn commands_of_closed_systems_say_which_table_they_do_not_take() {
     for arguments in [
         ["compare", "top.toml", "--out", "a"],
         ["section", "top.toml", "--out", "a"],
-        ["sweep", "top.toml", "--out", "a"],
         ["animate", "top.toml", "--out", "a.html"],
         ["section", "spin.toml", "--out", "a"],
-        ["sweep", "spin.toml", "--out", "a"],
     ] {
         let done = folder.heavytop(&arguments);
         let table = if arguments[1] == "top.toml" { "[torque]" } else { "[damping]" };
