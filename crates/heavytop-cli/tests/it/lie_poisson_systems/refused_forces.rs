@@ -47,11 +47,6 @@ fn errors_name_the_value_the_bound_and_the_line() {
         (SPIN, "[torque]\nPi = 'Pi1'\n", &["3 formulas"]),
         (
             SPIN,
-            "[torque]\nPi = [1, 0, 0]\n[noise]\nstrength = 1\n",
-            &["a system with noise has no torque"],
-        ),
-        (
-            SPIN,
             "[inputs.u]\ntimes = [0, 1]\nvalues = [0, 1]\ninterpolation = 'linear'\n[drive]\nPi = [0, 0, 'u']\n",
             &["from 0 to 1", "from 0 to 10"],
         ),
