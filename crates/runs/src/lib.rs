@@ -37,7 +37,7 @@
 //! | a lattice of spins, a fluid on the sphere, any number of vortices, by name | [`ArrayKind`], [`ArraySystem`], [`Arguments`] |
 //! | a lattice of spins with friction, or at a temperature | [`ThermalLattice`], [`LatticeTerms`], [`LatticeNoise`], [`SpinDamping`] |
 //! | the rows of a run one by one | [`Experiment`] |
-//! | where functions of the momentum are zero along a run | [`EventFunctions`] |
+//! | where functions of the momentum and the time are zero along a run | [`EventFunctions`], [`TimedIntegrator`] |
 //! | means, deviations and quantiles over many paths of a motion with noise | [`PathEnsemble`], [`PathRow`], [`PathStatistics`] |
 //! | equal steps to an end, and which of them are written | [`Schedule`], [`Pace`] |
 //! | how tangent vectors grow: Lyapunov exponent, MEGNO, alignment | [`TangentGrowth`] |
@@ -82,7 +82,8 @@ pub use models::top_quantity::TopQuantity;
 pub use reports::report_line::ReportLine;
 pub use reports::steady_rotation::SteadyRotation;
 pub use reports::top_report::TopReport;
-pub use runs::event_functions::EventFunctions;
+pub use runs::events::event_functions::EventFunctions;
+pub use runs::events::timed_integrator::{TimedIntegrator, TimedState};
 pub use runs::experiment::Experiment;
 pub use runs::moment::{Moment, Saved};
 pub use runs::pace::Pace;

@@ -24,7 +24,7 @@ Open = tuple[
 ]
 Path = tuple[int, int, Optional[float], Optional[float]]
 Lattice = tuple[Optional[tuple[float, bool]], Optional[tuple[float, Path]]]
-Callback = tuple[Callable[[Floats], float], int, int]
+Callback = tuple[Callable[[Floats, float], float], int, int]
 Accuracy = tuple[float, Optional[float], Optional[str]]
 
 class IntegrationError(RuntimeError): ...

@@ -80,7 +80,7 @@ pub enum SystemTableError {
     },
     /// A command that follows closed systems alone got a table of open ones.
     #[error(
-        "[{table}] is for tops and systems by formula in simulate, events and ensemble; a spin-lattice has [damping] and \
+        "[{table}] is for tops and systems by formula in simulate, events, sweep and ensemble; a spin-lattice has [damping] and \
          [noise] in simulate and ensemble; other commands, and other systems of arrays, have no forces"
     )]
     OpenTable {
@@ -114,6 +114,12 @@ pub enum SystemTableError {
         table: String,
         /// The key, and what it may be.
         key: &'static str,
+    },
+    /// The table of an input is given twice.
+    #[error("[inputs.{input}] has file, or times and values, not both")]
+    TwoTables {
+        /// The name of the input.
+        input: String,
     },
     /// There is no noise in `[noise]`, or more than one.
     #[error(
@@ -157,6 +163,7 @@ impl SystemTableError {
             | Self::FormOfLattice
             | Self::NoForces { .. }
             | Self::MissingKey { .. }
+            | Self::TwoTables { .. }
             | Self::OneNoise
             | Self::ColumnOfClosed { .. }
             | Self::OpenRod
@@ -204,6 +211,9 @@ impl SystemTableError {
             Self::FormOfLattice => key("damping.form", "leave it out"),
             Self::NoForces { table } => key(table, "write formulas, or remove the table"),
             Self::MissingKey { table, .. } => key(table, "add the key"),
+            Self::TwoTables { input } => {
+                vec![(format!("inputs.{input}.file"), "leave it out, or times and values")]
+            }
             Self::OneNoise => key("noise", "write one of them"),
             Self::ColumnOfClosed { .. } => key("output.columns", "leave it out"),
             Self::OpenRod => key("body.inertia", ""),
