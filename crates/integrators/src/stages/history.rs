@@ -275,13 +275,16 @@ fn begin<V: State, F: VectorField<V::Scalar, Point = V>>(
     fill_unless(done, k, spare);
 }
 
+/// [`StageEquations::evaluate`] as a function.
+type Evaluate<'a, V> = dyn FnMut(usize, &[V], MaskOf<V>, &mut V) + 'a;
+
 /// Stage equations whose type is not known.
-struct Erased<'a, V: State> {
+struct Erased<'a, 'b, V: State> {
     has_low_parts: bool,
-    evaluate: &'a mut dyn FnMut(usize, &[V], MaskOf<V>, &mut V),
+    evaluate: &'a mut Evaluate<'b, V>,
 }
 
-impl<V: State> StageEquations<V> for Erased<'_, V> {
+impl<V: State> StageEquations<V> for Erased<'_, '_, V> {
     fn has_low_parts(&self) -> bool {
         self.has_low_parts
     }
@@ -300,7 +303,7 @@ fn again<V: State>(
     done: MaskOf<V>,
     scale: &impl Scale<V>,
     (k, spare): (&mut [V], &mut V),
-    equations: &mut Erased<'_, V>,
+    equations: &mut Erased<'_, '_, V>,
 ) -> Result<usize, Unconverged<MaskOf<V>>> {
     solver.solve_from(done, scale, k, spare, &mut unknown(), equations)
 }
