@@ -127,6 +127,13 @@ impl HarmonicNoise {
         self.sum(|term| term.eigenvalue() / (16.0 * PI))
     }
 
+    /// Returns Σ_l σ_l² (l(l + 1))² (2l + 1)/4π: by it times a step transport noise displaces the fluid in the step as a
+    /// flow whose vorticity has this mean square.
+    #[must_use]
+    pub fn vorticity_variance(&self) -> f64 {
+        self.sum(|term| term.eigenvalue() * term.eigenvalue() / (4.0 * PI))
+    }
+
     /// Returns Σ_l (2l + 1) σ_l², the mean rate of the [enstrophy](Zeitlin::enstrophy) by a force that is white in
     /// time.
     #[must_use]
