@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from .arguments import array, count, numbers
 from .events import Events, NativeEvent, event_parts, list_of
-from .open_terms import native_lattice
+from .open_terms import native_arrays
 from .solution import Floats, Solution
 from .system import System
 from .system_description import Parameters, State
@@ -42,8 +42,9 @@ class ArraySystem(System):
     Args:
         kind: the name of the system, such as "spin-lattice".
         parameters: its parameters by name; those that are missing are named with their meaning.
-        damping: of a lattice of spins, as for `SpinLattice`.
-        noise: of a lattice of spins, as for `SpinLattice`.
+        damping: of a lattice of spins, as for `SpinLattice`, or of a fluid, as for `SphereFluid`.
+        noise: of a lattice of spins or a fluid, the same.
+        torque: of a fluid, as for `SphereFluid`.
     """
 
     def __init__(
@@ -52,10 +53,12 @@ class ArraySystem(System):
         parameters: Parameters,
         damping: Union[None, float, Mapping[str, Any]] = None,
         noise: Optional[Mapping[str, Any]] = None,
+        torque: Optional[Mapping[str, Any]] = None,
     ) -> None:
         self._numbers = numbers_of("parameters", parameters)
         self._kind = self._algebra = str(kind)
-        self._arrays = _native.Arrays(self._kind, self._numbers, native_lattice(damping, noise))
+        terms = native_arrays(self._kind, damping, noise, torque)
+        self._arrays = _native.Arrays(self._kind, self._numbers, terms)
         # The methods of `System` need no more of it than it has.
         self._system: Any = self._arrays
         self._names = {}
@@ -81,7 +84,7 @@ class ArraySystem(System):
 
     @property
     def invariants(self) -> tuple[str, ...]:
-        """The symbols of what is conserved, or would be without friction and noise."""
+        """The symbols of what is conserved, or would be without friction, forces and noise."""
         return tuple(self._arrays.invariants)
 
     @property
@@ -263,7 +266,7 @@ class VibratingLattice(ArraySystem):
 
 
 class SphereFluid(ArraySystem):
-    """An ideal fluid on the sphere, by Zeitlin's model; one array omega of shape (N, N).
+    """A fluid on the sphere, by Zeitlin's model, ideal unless it has damping, a torque or noise; one array omega of shape (N, N).
 
     omega holds the coefficients of the absolute vorticity in orthonormal spherical harmonics with the phase of Condon and
     Shortley: Re omega_lm at [l, m], and Im omega_lm at [m - 1, l]; `harmonics` gives them as complex numbers, and `vorticity`
@@ -279,6 +282,14 @@ class SphereFluid(ArraySystem):
         vorticity: a start as values on a grid, for runs that are given none.
         coefficients: a start as rows (l, m, re, im), instead.
         rotation: the angular velocity of the sphere.
+        damping: {"viscosity": nu, "power": p, "drag": alpha}: the coefficients of degree l, relative to the rotation of the sphere, decay
+            at the rate alpha + nu (l (l + 1))^p. p is 1 unless given; above 1 it is a hyperviscosity.
+        torque: {"coefficients": rows (l, m, re, im)}: a constant force, as the rate of the vorticity.
+        noise: {"transport": {"degrees": [l1, l2], "strength": s}}, random stream functions that carry the fluid along and keep its
+            Casimirs, s in 1/sqrt(t); or "stirring", random vorticities that are added to it, s in 1/(t sqrt(t)); or both; each a shell or a
+            list of shells. Besides "seed" (1), "path" (0), "interval" and "bound" as for `System`. With damping, a torque or noise the
+            method is "reduced", "implicit-midpoint", of order 2 without noise, and viscosity runs forward in time alone; h, Z and the
+            angular momentum have values, of which Z is kept under transport noise alone.
 
     Example:
         A Rossby-Haurwitz wave on a sphere at rest keeps the size of its coefficients:
@@ -296,11 +307,15 @@ class SphereFluid(ArraySystem):
         vorticity: Optional[ArrayLike] = None,
         coefficients: Optional[ArrayLike] = None,
         rotation: float = 0.0,
+        damping: Optional[Mapping[str, Any]] = None,
+        torque: Optional[Mapping[str, Any]] = None,
+        noise: Optional[Mapping[str, Any]] = None,
     ) -> None:
-        super().__init__("sphere-fluid", {"size": count("size", size, 2), "rotation": rotation})
+        given = {"size": count("size", size, 2), "rotation": rotation}
+        super().__init__("sphere-fluid", given, damping, noise, torque)
         starts = {"vorticity": vorticity, "coefficients": coefficients}
-        given = {name: values for name, values in starts.items() if values is not None}
-        self._first = self.start(**given) if given else None
+        start = {name: values for name, values in starts.items() if values is not None}
+        self._first = self.start(**start) if start else None
 
     def _formulation_of_tangents(self) -> str:
         return "direct"

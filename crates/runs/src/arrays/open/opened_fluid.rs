@@ -9,7 +9,8 @@ use crate::arrays::fluids::fluid_start::add;
 use crate::arrays::fluids::sphere_fluid::SphereFluid;
 use crate::arrays::systems::sphere_fluid::NAME;
 use collective_integrators::{AnyIntegrator, StageSolver, VectorField};
-use lie_poisson::State;
+use core::f64::consts::PI;
+use lie_poisson::{State, larger};
 use lie_poisson_formula_systems::FormulaSystemError;
 use lie_poisson_systems::isospectral_flows::{CommutatorField, LargeSkewHermitian};
 use lie_poisson_systems::{
@@ -136,9 +137,13 @@ impl Opened for OpenedFluid {
         (0..rate.dimension()).map(|i| rate.coordinate(i)).collect()
     }
 
-    /// A flow turns by half of its vorticity, here by that of three times its root mean square.
+    /// The larger of two angles: that of eddies, half of the vorticity of the noise, and that of the matrix, twice its stream function over ħ,
+    /// above some half of which stages have no solution. Both are root mean squares.
     fn noise_angle(&self, _state: &[f64], step: f64) -> f64 {
-        1.5 * (self.method.transport().vorticity_variance() * step.abs()).sqrt()
+        let noise = self.method.transport();
+        let stream = (noise.enstrophy_injection() / (4.0 * PI)).sqrt();
+        let of_matrix = 2.0 * stream / self.fluid.0.planck_constant();
+        larger(0.5 * noise.vorticity_variance().sqrt(), of_matrix) * step.abs().sqrt()
     }
 
     fn integrator(&self, tolerance: f64, path: u64) -> AnyIntegrator {
