@@ -22,7 +22,7 @@ pub use integrator_config::{Instructions, Integration, IntegratorConfig};
 pub use notes::Notes;
 pub use open::{
     DampingConfig, DampingForm, Element, Formulas, InnerProductConfig, InputConfig, NoiseConfig,
-    ShellConfig,
+    Shell, ShellConfig,
 };
 pub use output_config::OutputConfig;
 pub use plane_limits::PlaneLimits;

@@ -10,7 +10,7 @@ use heavytop::methods::Formulation;
 use lie_poisson_runs::step_angle::require_run;
 use lie_poisson_runs::{
     ArrayKind, ArrayTerms, FluidNoise, FluidTerms, LatticeNoise, LatticeTerms, NoisePaths,
-    OpenArrays, SpinDamping,
+    OpenArrays, SpinDamping, directed_step,
 };
 
 /// The tables of forces of a kind of arrays.
@@ -66,11 +66,11 @@ impl Config {
         let start = system.array_start(&arrays)?;
         let integrator = self.integrator;
         let Integration { step, end, tolerance, .. } = integrator.or(Integration::default());
-        let schedule = Schedule::new(step, end)?;
-        let model = OpenArrays::new(arrays, terms, schedule.step)?;
+        let step = directed_step(step, end)?;
+        let model = OpenArrays::new(arrays, terms, step)?;
         let method = model.method(integrator.formulation, integrator.scheme, tolerance)?;
         require_run(&model, &method, (&start, step))?;
-        let pace = Pace { schedule, every: self.output.every };
+        let pace = Pace { schedule: Schedule::new(step, end)?, every: self.output.every };
         Ok(Some(Experiment { model, start, method, pace, attitude: false }))
     }
 
@@ -153,8 +153,11 @@ impl NoiseConfig {
             let key = "transport or stirring";
             return Err(SystemTableError::MissingKey { table: "noise".into(), key });
         }
-        let shells = |config: &Option<_>| config.as_ref().map_or(Vec::new(), ShellConfig::shells);
-        let (transport, stirring) = (shells(&self.transport), shells(&self.stirring));
+        let shells = |table, config: &Option<ShellConfig>| {
+            config.as_ref().map_or(Ok(Vec::new()), |config| config.shells(table))
+        };
+        let transport = shells("noise.transport", &self.transport)?;
+        let stirring = shells("noise.stirring", &self.stirring)?;
         Ok(FluidNoise { transport, stirring, paths: self.paths() })
     }
 }

@@ -11,4 +11,4 @@ mod array_run;
 pub use damping_config::{DampingConfig, DampingForm, InnerProductConfig};
 pub use element::{Element, Formulas};
 pub use input_config::InputConfig;
-pub use noise_config::{NoiseConfig, ShellConfig};
+pub use noise_config::{NoiseConfig, Shell, ShellConfig};

@@ -67,19 +67,30 @@ pub enum ShellConfig {
 #[serde(deny_unknown_fields)]
 pub struct Shell {
     /// The least and the largest degree.
-    pub degrees: [usize; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub degrees: Option<[usize; 2]>,
     /// The strength σ in each harmonic.
-    pub strength: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strength: Option<f64>,
 }
 
 impl ShellConfig {
-    /// Returns the shells.
-    pub(super) fn shells(&self) -> Vec<HarmonicShell> {
-        let of = |Shell { degrees, strength }| HarmonicShell { degrees, strength };
-        match self {
-            Self::One(shell) => vec![of(*shell)],
-            Self::Many(shells) => shells.iter().copied().map(of).collect(),
-        }
+    /// Returns the shells of a table.
+    ///
+    /// # Errors
+    /// If one of them lacks its degrees or its strength.
+    pub(super) fn shells(&self, table: &str) -> Result<Vec<HarmonicShell>, SystemTableError> {
+        let shells = match self {
+            Self::One(shell) => core::slice::from_ref(shell),
+            Self::Many(shells) => shells,
+        };
+        let missing = |key| SystemTableError::MissingKey { table: table.into(), key };
+        let shell = |shell: &Shell| {
+            let degrees = shell.degrees.ok_or_else(|| missing("degrees"))?;
+            let strength = shell.strength.ok_or_else(|| missing("strength"))?;
+            Ok(HarmonicShell { degrees, strength })
+        };
+        shells.iter().map(shell).collect()
     }
 }
 

@@ -56,8 +56,7 @@ fn run(
     Experiment { model, start, method, pace: pace(step, end, every), attitude: false }
 }
 
-const EDDIES: [[f64; 4]; 3] =
-    [[2.0, 1.0, 0.5, 0.1], [3.0, 2.0, -0.4, 0.2], [5.0, 0.0, 0.3, 0.0]];
+const EDDIES: [[f64; 4]; 3] = [[2.0, 1.0, 0.5, 0.1], [3.0, 2.0, -0.4, 0.2], [5.0, 0.0, 0.3, 0.0]];
 
 /// Harmonics of one degree make a steady flow, so that stirring and damping alone change them: each of 2l + 1 has the variance σ²/2λ,
 /// at every step size. After a step of 2/λ they are forgotten but for e⁻², and Z but for e⁻⁴.
@@ -100,9 +99,8 @@ fn a_forced_and_damped_fluid_has_its_closed_form_and_its_order() {
     // Re ω₂₁ is at [2, 1], Im ω₂₁ at [0, 2].
     assert!((row[1 + 6 * 2 + 1] - 0.2 * gained).abs() < 1e-13);
     assert!((row[1 + 2] - (0.3 * lost - 0.1 * gained)).abs() < 1e-13);
-    let end = |step| {
-        last(&run(fluid(8), forced(vec![[4.0, 2.0, 0.5, 0.0]]), &EDDIES, (step, 2.0, 1)))
-    };
+    let end =
+        |step| last(&run(fluid(8), forced(vec![[4.0, 2.0, 0.5, 0.0]]), &EDDIES, (step, 2.0, 1)));
     let [long, short, exact] = [0.1, 0.05, 0.00625].map(end);
     let error = |row: &[f64]| {
         let changes = row[1..].iter().zip(&exact[1..]).map(|(a, b)| (a - b).abs());
@@ -116,11 +114,8 @@ fn a_forced_and_damped_fluid_has_its_closed_form_and_its_order() {
 /// The rate, as users read it, is that of short steps, and the viscosity has a part in it.
 #[test]
 fn the_rate_is_the_limit_of_steps() {
-    let terms = FluidTerms {
-        drag: 0.5,
-        force: vec![[3.0, 1.0, 0.2, 0.4]],
-        ..FluidTerms::default()
-    };
+    let terms =
+        FluidTerms { drag: 0.5, force: vec![[3.0, 1.0, 0.2, 0.4]], ..FluidTerms::default() };
     let there = run(fluid(7), terms, &EDDIES, (1e-4, 1e-4, 1));
     let mut given = there.start.clone();
     there.model.present(&mut given);
@@ -150,8 +145,7 @@ fn what_is_kept_is_told() {
     let kept = |terms: FluidTerms| {
         let run = run(fluid(6), terms, &EDDIES, (0.05, 2.0, 40));
         let (first, last) = (run.initial().unwrap(), last(&run));
-        let changes: Vec<f64> =
-            (0..5).map(|i| (first[i] - last[column(6, i)]).abs()).collect();
+        let changes: Vec<f64> = (0..5).map(|i| (first[i] - last[column(6, i)]).abs()).collect();
         assert_eq!(run.conserved(), ["h", "Z", "M3", "M1", "M2"]);
         (run.kept(), changes)
     };
@@ -243,7 +237,11 @@ fn strong_transport_noise_has_its_angle_and_a_warning() {
         let accuracy = model.accuracy(&method, &[0.0; 64], (step, 10), &|| true).unwrap();
         model.accuracy_warning(&[0.0; 64], &accuracy).unwrap_or_default()
     };
-    assert!(warning(1.0).contains("the noise turns the state by about 5.1e-1 rad"), "{}", warning(1.0));
+    assert!(
+        warning(1.0).contains("the noise turns the state by about 5.1e-1 rad"),
+        "{}",
+        warning(1.0)
+    );
     assert_eq!(warning(0.01), "");
     let viscous = FluidTerms { viscosity: 1.0, ..FluidTerms::default() };
     let viscous = OpenArrays::new(fluid(4), viscous, 0.1).unwrap();
@@ -268,18 +266,42 @@ fn what_a_fluid_cannot_have_is_refused() {
     };
     let all = NoisePaths::default();
     for (terms, part) in [
-        (FluidTerms { viscosity: -0.5, ..none() }, "viscosity must be 0 or a positive number, got -0.5"),
-        (FluidTerms { viscosity: f64::NAN, ..none() }, "viscosity must be 0 or a positive number, got NaN"),
-        (FluidTerms { drag: f64::INFINITY, ..none() }, "drag must be 0 or a positive number, got inf"),
+        (
+            FluidTerms { viscosity: -0.5, ..none() },
+            "viscosity must be 0 or a positive number, got -0.5",
+        ),
+        (
+            FluidTerms { viscosity: f64::NAN, ..none() },
+            "viscosity must be 0 or a positive number, got NaN",
+        ),
+        (
+            FluidTerms { drag: f64::INFINITY, ..none() },
+            "drag must be 0 or a positive number, got inf",
+        ),
         (FluidTerms { power: 0, ..none() }, "power must be a whole number from 1 to 32, got 0"),
         (FluidTerms { power: 33, ..none() }, "from 1 to 32, got 33"),
-        (FluidTerms { viscosity: 1e300, power: 32, ..none() }, "viscosity of this power must be between"),
+        (
+            FluidTerms { viscosity: 1e300, power: 32, ..none() },
+            "viscosity of this power must be between",
+        ),
         (FluidTerms { force: vec![[4.0, 0.0, 1.0, 0.0]], ..none() }, "degrees l from 1 to 3"),
         (FluidTerms { force: vec![[0.0, 0.0, 1.0, 0.0]], ..none() }, "got l = 0"),
-        (FluidTerms { force: vec![[2.0, 3.0, 1.0, 0.0]], ..none() }, "orders m from 0 to l, got l = 2, m = 3"),
-        (FluidTerms { force: vec![[2.0, 0.0, 1.0, 1.0]], ..none() }, "torque must be real for m = 0"),
-        (FluidTerms { force: vec![[2.0, 0.0, f64::NAN, 0.0]], ..none() }, "torque must be finite, got NaN"),
-        (shells([0, 2], 1.0), "stirring must be of two degrees from 1 to 3, the least first, got [0, 2]"),
+        (
+            FluidTerms { force: vec![[2.0, 3.0, 1.0, 0.0]], ..none() },
+            "orders m from 0 to l, got l = 2, m = 3",
+        ),
+        (
+            FluidTerms { force: vec![[2.0, 0.0, 1.0, 1.0]], ..none() },
+            "torque must be real for m = 0",
+        ),
+        (
+            FluidTerms { force: vec![[2.0, 0.0, f64::NAN, 0.0]], ..none() },
+            "torque must be finite, got NaN",
+        ),
+        (
+            shells([0, 2], 1.0),
+            "stirring must be of two degrees from 1 to 3, the least first, got [0, 2]",
+        ),
         (shells([3, 2], 1.0), "got [3, 2]"),
         (shells([2, 4], 1.0), "got [2, 4]"),
         (shells([1, 2], -1.0), "stirring must be of a strength that is 0 or positive, got -1"),
