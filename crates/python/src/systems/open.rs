@@ -117,8 +117,8 @@ type ShellArgument = ((usize, usize), f64);
 pub(crate) enum ArrayTermsArgument {
     /// The friction of spins, and whether it is Gilbert's damping; the energy kT, and the paths.
     Lattice(Option<(f64, bool)>, Option<(f64, PathArgument)>),
-    /// The viscosity, its power, and the drag of a fluid; rows l, m, re, im of the force; and shells of transport noise and of stirring,
-    /// and the paths.
+    /// The viscosity, its power, and the drag of a fluid; rows l, m, re, im of the force; and shells of transport noise
+    /// and of stirring, and the paths.
     Fluid(
         (f64, u32, f64),
         Vec<[f64; 4]>,

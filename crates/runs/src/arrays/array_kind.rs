@@ -44,7 +44,8 @@ pub struct ArrayKind {
     pub parameters: &'static [Parameter],
     /// What a start is given by.
     pub start: &'static [Parameter],
-    /// The formulation of the midpoint rule of the system with friction, forces and noise; `None` if it has none of them.
+    /// The formulation of the midpoint rule of the system with friction, forces and noise; `None` if it has none of
+    /// them.
     pub opened: Option<Formulation>,
     make: fn(&Given<'_>) -> Made,
 }

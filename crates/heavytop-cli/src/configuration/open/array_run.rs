@@ -44,15 +44,15 @@ const FLUID: Forces = Forces {
 };
 
 impl Config {
-    /// Returns the formulation of the arrays with friction, forces or noise that the configuration asks for; `None` if it asks for
-    /// something else.
+    /// Returns the formulation of the arrays with friction, forces or noise that the configuration asks for; `None` if
+    /// it asks for something else.
     pub(crate) fn opened_formulation(&self) -> Option<Formulation> {
         self.open_table()?;
         self.system.as_ref()?.array_kind()?.opened
     }
 
-    /// Returns the run of the arrays with friction, forces or noise that the configuration asks for; `None` if it asks for
-    /// arrays that have none of them.
+    /// Returns the run of the arrays with friction, forces or noise that the configuration asks for; `None` if it asks
+    /// for arrays that have none of them.
     ///
     /// # Errors
     /// If there is no such run.

@@ -4,7 +4,8 @@ use crate::errors::{Error, SystemTableError};
 use lie_poisson_formula_systems::{Damping, OpenNames};
 use serde::{Deserialize, Serialize};
 
-/// The table `[damping]`: a double bracket, which lowers the energy and keeps the Casimirs; or the viscosity and the drag of a fluid.
+/// The table `[damping]`: a double bracket, which lowers the energy and keeps the Casimirs; or the viscosity and the
+/// drag of a fluid.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct DampingConfig {
@@ -14,7 +15,8 @@ pub struct DampingConfig {
     /// Of a lattice of spins, which damping this is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub form: Option<DampingForm>,
-    /// Of a fluid on the sphere, the viscosity ν, at least 0: harmonics of degree l decay at the rate α + ν (l(l + 1))ᵖ.
+    /// Of a fluid on the sphere, the viscosity ν, at least 0: harmonics of degree l decay at the rate α + ν (l(l +
+    /// 1))ᵖ.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub viscosity: Option<f64>,
     /// The power p of the Laplace operator in the viscosity: 1, or more for a hyperviscosity.

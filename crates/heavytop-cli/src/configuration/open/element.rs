@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 /// Formulas by the names of the coordinates, or of the vectors of coordinates, to which they belong; what is left out is 0.
 pub type Element = BTreeMap<String, Formulas>;
 
-/// A formula, or the formulas of the components of a vector. Numbers are formulas, too. The force on a fluid has rows of numbers instead.
+/// A formula, or the formulas of the components of a vector. Numbers are formulas, too. The force on a fluid has rows
+/// of numbers instead.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Formulas {

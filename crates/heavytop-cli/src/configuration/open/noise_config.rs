@@ -9,8 +9,8 @@ use lie_poisson_formula_systems::{Damping, NoiseFields, NoiseTerms, OpenNames};
 use lie_poisson_runs::HarmonicShell;
 use serde::{Deserialize, Serialize};
 
-/// The table `[noise]`: of a temperature, of a strength in all directions, or of fields by formulas; or the transport noise and the
-/// stirring of a fluid.
+/// The table `[noise]`: of a temperature, of a strength in all directions, or of fields by formulas; or the transport
+/// noise and the stirring of a fluid.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct NoiseConfig {

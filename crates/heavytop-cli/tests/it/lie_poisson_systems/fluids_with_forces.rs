@@ -100,7 +100,8 @@ fn transport_noise_keeps_the_enstrophy() {
     }
 }
 
-/// An interrupted run goes on to the same bytes, and the number of threads does not matter; nor does it for an ensemble.
+/// An interrupted run goes on to the same bytes, and the number of threads does not matter; nor does it for an
+/// ensemble.
 #[test]
 fn a_path_has_the_same_bytes_on_any_number_of_threads() {
     let folder = Folder::new();

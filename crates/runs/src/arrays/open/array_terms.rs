@@ -30,8 +30,9 @@ pub struct LatticeNoise {
     pub paths: NoisePaths,
 }
 
-/// The viscosity, the drag, the force and the noise of a fluid on the sphere of radius 1, whose harmonics change at the rate R_lm = F_lm −
-/// (α + ν (l(l + 1))ᵖ)(ω_lm − f_lm) besides their flow, where f is the vorticity of a sphere that rotates.
+/// The viscosity, the drag, the force and the noise of a fluid on the sphere of radius 1, whose harmonics change at the
+/// rate R_lm = F_lm − (α + ν (l(l + 1))ᵖ)(ω_lm − f_lm) besides their flow, where f is the vorticity of a sphere that
+/// rotates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FluidTerms {
     /// The viscosity ν, in inverse units of time.
@@ -55,8 +56,8 @@ impl Default for FluidTerms {
 /// The noise of a fluid on the sphere.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FluidNoise {
-    /// Transport noise, which carries the vorticity along and keeps its Casimirs: shells of random stream functions, whose strengths have
-    /// the unit 1/√t.
+    /// Transport noise, which carries the vorticity along and keeps its Casimirs: shells of random stream functions,
+    /// whose strengths have the unit 1/√t.
     pub transport: Vec<HarmonicShell>,
     /// Stirring, a force that is white in time: shells of random vorticities, whose strengths have the unit 1/(t√t).
     pub stirring: Vec<HarmonicShell>,

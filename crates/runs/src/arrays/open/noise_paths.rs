@@ -10,8 +10,8 @@ pub struct NoisePaths {
     pub seed: u64,
     /// The number of the path, below [`OpenSystem::PATHS`].
     pub path: u64,
-    /// The length of the intervals of the paths, s; the step of the run, if none is given. With one that is given, runs with shorter
-    /// steps see the same paths.
+    /// The length of the intervals of the paths, s; the step of the run, if none is given. With one that is given, runs
+    /// with shorter steps see the same paths.
     pub interval: Option<f64>,
     /// The bound of the increments, in standard deviations; that of [`BrownianPaths`] if none is given.
     pub bound: Option<f64>,

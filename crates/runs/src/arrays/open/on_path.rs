@@ -5,8 +5,8 @@ use lie_poisson::{Pair, State};
 use momentum_map::LiftError;
 use nalgebra::Vector1;
 
-/// An integrator of states with the number of their path and the time, whose momenta are without these two. Runs start on the path of a
-/// number, at the time 0.
+/// An integrator of states with the number of their path and the time, whose momenta are without these two. Runs start
+/// on the path of a number, at the time 0.
 pub(super) struct OnPath<I> {
     pub(super) integrator: I,
     pub(super) path: u64,
@@ -17,8 +17,8 @@ where
     M: State<Scalar = f64> + Send + Sync + 'static,
     I: Integrator<State = Pair<M, PathAndTime<f64>>, Workspace: Send> + Send + Sync + 'static,
 {
-    /// Hides the type of the integrator of momenta like this one. The last two coordinates of its states are the number of the path
-    /// and the time.
+    /// Hides the type of the integrator of momenta like this one. The last two coordinates of its states are the number
+    /// of the path and the time.
     pub(super) fn erased(self, momentum: &M) -> AnyIntegrator {
         let state = self.on_path(momentum);
         AnyIntegrator::of_states(self, &state, momentum)

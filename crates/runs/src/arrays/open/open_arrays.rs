@@ -15,11 +15,12 @@ use std::sync::Arc;
 
 /// A system of an [`ArrayKind`](crate::ArrayKind) with friction, forces or noise, by a stochastic midpoint rule.
 ///
-/// A lattice of classical spins has friction, and the noise of a temperature, by [`LangevinSpins`]. The lengths of all spins are kept to
-/// round-off; h and the total spin are not. After a while the spins have Boltzmann's weight exp(−h/kT), whatever the friction is.
+/// A lattice of classical spins has friction, and the noise of a temperature, by [`LangevinSpins`]. The lengths of all
+/// spins are kept to round-off; h and the total spin are not. After a while the spins have Boltzmann's weight
+/// exp(−h/kT), whatever the friction is.
 ///
-/// A fluid on the sphere has viscosity, drag, a force, transport noise and stirring, by [`StochasticFluid`]. Transport noise alone keeps the
-/// enstrophy, as all Casimirs, to round-off; the other terms change it.
+/// A fluid on the sphere has viscosity, drag, a force, transport noise and stirring, by [`StochasticFluid`]. Transport
+/// noise alone keeps the enstrophy, as all Casimirs, to round-off; the other terms change it.
 ///
 /// [`LangevinSpins`]: lie_poisson_systems::LangevinSpins
 /// [`StochasticFluid`]: lie_poisson_systems::StochasticFluid
@@ -28,7 +29,8 @@ use std::sync::Arc;
 /// A ring of a thousand spins at kT = J, whose energy per bond is −(coth 1 − 1) J:
 /// ```
 /// use lie_poisson_runs::{
-///     Arguments, ArrayKind, Experiment, LatticeNoise, LatticeTerms, NoisePaths, OpenArrays, Pace, RunFailure, Schedule, SpinDamping,
+///     Arguments, ArrayKind, Experiment, LatticeNoise, LatticeTerms, NoisePaths, OpenArrays, Pace, RunFailure, Schedule,
+///     SpinDamping,
 /// };
 /// let kind = ArrayKind::named("spin-lattice").ok_or("no such system")?;
 /// let ring = kind.system(&Arguments::new().list("shape", vec![1000.0]).number("exchange", 1.0))?;
@@ -59,7 +61,8 @@ impl OpenArrays {
     /// Creates the model of runs with steps of a size, s, negative backward in time.
     ///
     /// # Errors
-    /// Returns [`FormulaSystemError::Open`] if a number of the noise is not what it must be, or a temperature has no damping; and
+    /// Returns [`FormulaSystemError::Open`] if a number of the noise is not what it must be, or a temperature has no
+    /// damping; and
     /// [`FormulaSystemError::KindValue`] if another number is not, if viscosity would act backward in time, or if the system has no such
     /// terms.
     pub fn new(
@@ -92,8 +95,8 @@ impl OpenArrays {
         self.system.kind().opened.unwrap_or_default()
     }
 
-    /// Returns the method: the midpoint rule, whatever is left out. Its stages are solved to the tolerance, relative to the
-    /// motion of a step; 0 iterates to the round-off floor.
+    /// Returns the method: the midpoint rule, whatever is left out. Its stages are solved to the tolerance, relative to
+    /// the motion of a step; 0 iterates to the round-off floor.
     ///
     /// # Errors
     /// Returns [`FormulaSystemError::NoMethod`] if another formulation or scheme is asked for, and
@@ -117,8 +120,8 @@ impl OpenArrays {
         Err(FormulaSystemError::NoMethod { algebra, formulation, scheme, has })
     }
 
-    /// Returns the rate dμ/dt of a state without noise, both in the arrays of the users; with noise it is the drift in Stratonovich's
-    /// sense.
+    /// Returns the rate dμ/dt of a state without noise, both in the arrays of the users; with noise it is the drift in
+    /// Stratonovich's sense.
     ///
     /// # Errors
     /// If the state has another number of coordinates.

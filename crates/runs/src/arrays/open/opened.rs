@@ -24,7 +24,7 @@ pub(in crate::arrays) trait Opened: fmt::Debug + Send + Sync {
     /// Returns the angle by which the noise turns a state in a step, rad.
     fn noise_angle(&self, state: &[f64], step: f64) -> f64;
 
-    /// Returns the implicit midpoint rule, whose stages are solved to a tolerance, on the path of a number. The last two coordinates of
-    /// its states are the number of the path and the time.
+    /// Returns the implicit midpoint rule, whose stages are solved to a tolerance, on the path of a number. The last
+    /// two coordinates of its states are the number of the path and the time.
     fn integrator(&self, tolerance: f64, path: u64) -> AnyIntegrator;
 }

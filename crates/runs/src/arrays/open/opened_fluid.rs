@@ -137,8 +137,8 @@ impl Opened for OpenedFluid {
         (0..rate.dimension()).map(|i| rate.coordinate(i)).collect()
     }
 
-    /// The larger of two angles: that of eddies, half of the vorticity of the noise, and that of the matrix, twice its stream function over ħ,
-    /// above some half of which stages have no solution. Both are root mean squares.
+    /// The larger of two angles: that of eddies, half of the vorticity of the noise, and that of the matrix, twice its
+    /// stream function over ħ, above some half of which stages have no solution. Both are root mean squares.
     fn noise_angle(&self, _state: &[f64], step: f64) -> f64 {
         let noise = self.method.transport();
         let stream = (noise.enstrophy_injection() / (4.0 * PI)).sqrt();

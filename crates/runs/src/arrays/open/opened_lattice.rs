@@ -16,7 +16,8 @@ use nalgebra::Vector3;
 /// The name of the sum of the squares of all lengths, which alone is kept.
 const LENGTHS: &str = "C";
 
-/// A lattice by the stochastic midpoint rule of [`LangevinSpins`]: h, the total spin and Σ |s_i|², of which the last is kept.
+/// A lattice by the stochastic midpoint rule of [`LangevinSpins`]: h, the total spin and Σ |s_i|², of which the last is
+/// kept.
 #[derive(Debug)]
 pub(in crate::arrays) struct OpenedLattice {
     langevin: LangevinSpins<OpenLattice>,

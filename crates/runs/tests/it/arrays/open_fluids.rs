@@ -58,8 +58,8 @@ fn run(
 
 const EDDIES: [[f64; 4]; 3] = [[2.0, 1.0, 0.5, 0.1], [3.0, 2.0, -0.4, 0.2], [5.0, 0.0, 0.3, 0.0]];
 
-/// Harmonics of one degree make a steady flow, so that stirring and damping alone change them: each of 2l + 1 has the variance σ²/2λ,
-/// at every step size. After a step of 2/λ they are forgotten but for e⁻², and Z but for e⁻⁴.
+/// Harmonics of one degree make a steady flow, so that stirring and damping alone change them: each of 2l + 1 has the
+/// variance σ²/2λ, at every step size. After a step of 2/λ they are forgotten but for e⁻², and Z but for e⁻⁴.
 #[test]
 fn a_stirred_and_damped_shell_has_its_exact_enstrophy() {
     let (strength, steps) = (0.05, 2000);
@@ -220,7 +220,8 @@ fn a_run_backward_retraces_its_path_unless_viscosity_forbids_it() {
     assert!(error.to_string().contains("0 backward in time, where it feeds small eddies, got 0.5"));
 }
 
-/// Half of the root mean square of the vorticity of the noise in a step, or twice that of the stream function over ħ = 2/√(N² − 1).
+/// Half of the root mean square of the vorticity of the noise in a step, or twice that of the stream function over ħ =
+/// 2/√(N² − 1).
 #[test]
 fn strong_transport_noise_has_its_angle_and_a_warning() {
     let model = |size| OpenArrays::new(fluid(size), transport(0.05), 0.01).unwrap();

@@ -48,8 +48,8 @@ fn run(
     Experiment { model, start, method, pace: pace(step, end, every), attitude: false }
 }
 
-/// With the friction b and the factor a of the field, ds₃/dt = bB(1 − s₃²), and the spin goes round e₃ by the angle aBt. The
-/// error of the midpoint rule is of the order h².
+/// With the friction b and the factor a of the field, ds₃/dt = bB(1 − s₃²), and the spin goes round e₃ by the angle
+/// aBt. The error of the midpoint rule is of the order h².
 #[test]
 fn damped_spins_have_their_closed_forms() {
     let gilbert = 0.5;
@@ -99,8 +99,8 @@ fn the_rate_is_the_limit_of_steps() {
     assert!(model.rate(&start[1..]).is_err());
 }
 
-/// The energy per bond of a long ring is −J (coth K − 1/K), K = J/kT, by the transfer operator: (coth K − 1/K)ᴺ is left out. It is
-/// the mean over the last three quarters of 16 paths, with the standard error from their differences.
+/// The energy per bond of a long ring is −J (coth K − 1/K), K = J/kT, by the transfer operator: (coth K − 1/K)ᴺ is left
+/// out. It is the mean over the last three quarters of 16 paths, with the standard error from their differences.
 #[test]
 fn the_energy_of_a_ring_is_that_of_its_temperature() {
     let sites = 48.0;
