@@ -271,7 +271,7 @@ class SphereFluid(ArraySystem):
     omega holds the coefficients of the absolute vorticity in orthonormal spherical harmonics with the phase of Condon and
     Shortley: Re omega_lm at [l, m], and Im omega_lm at [m - 1, l]; `harmonics` gives them as complex numbers, and `vorticity`
     the values on a grid. A start is such an array, or `{"degrees": [2, 10], "rms": 1, "seed": 0}` at random, or
-    `{"coefficients": [[l, m, re, im], ...]}`, or `{"vorticity": array}` of shape (r, 2 r) with r >= 2 N - 1, as `vorticity`
+    `{"coefficients": [[l, m, re, im], ...]}`, without rows at rest, or `{"vorticity": array}` of shape (r, 2 r) with r >= 2 N - 1, as `vorticity`
     returns. On a sphere that rotates at Omega the absolute vorticity of a fluid at rest there is 2 Omega cos(theta), the
     coefficient omega_10 = 2 Omega sqrt(4 pi/3): add it to a start relative to the sphere. Conserved are h, the kinetic energy;
     the enstrophy Z, the integral of omega^2; and the angular momentum (M1, M2, M3), or M3 alone on a sphere that rotates. Tangent
@@ -341,7 +341,8 @@ class SphereFluid(ArraySystem):
         if len(grid) != 2 or grid[1] != 2 * grid[0]:
             raise ValueError(f"y0['vorticity'] must have the shape (r, 2 r), got {grid}")
         rows = np.shape(given.get("coefficients", np.zeros((1, 4))))
-        if len(rows) != 2 or rows[1] != 4:
+        # No rows are a fluid at rest.
+        if rows != (0,) and (len(rows) != 2 or rows[1] != 4):
             raise ValueError(f"y0['coefficients'] must have the shape (n, 4), got {rows}")
         return super().start(**given)
 
