@@ -43,6 +43,8 @@ PEERS = [
     ("one top, error 2e-14", "RK8, h = 0.025", "", (KOVALEVSKAYA, GENERIC), GAUSS, RK8),
     ("one top, error 2e-14", "RK8 in vectors, h = 0.025", "", (KOVALEVSKAYA, GENERIC), GAUSS, RK8_VECTORS),
     ("one top, error 2e-14", "IRKGL16", "", (KOVALEVSKAYA, GENERIC), GAUSS, ("C++ IRKGL16*", None, 2e-14)),
+    ("one top, error 2e-14", "IRKGL16, both to 5e-14", "", (KOVALEVSKAYA, GENERIC),
+     ("heavytop Gauss-16 to 5e-14", None, 2e-14), ("C++ IRKGL16", None, 2e-14)),
     ("one top, RK4", "C++", "", (KOVALEVSKAYA, GENERIC), ("heavytop any system: RK4, direct", "h = 0.01", ANY),
      ("C++ RK4", "h = 0.01", ANY)),
     ("one top, splitting of order 4", "C++", "", (KOVALEVSKAYA,),

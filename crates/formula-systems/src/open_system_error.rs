@@ -111,9 +111,6 @@ pub enum OpenSystemError {
         "a temperature needs a friction: the strength of the noise is the root of 2 × friction × temperature"
     )]
     TemperatureAlone,
-    /// Noise and torque together have no method.
-    #[error("a system with noise has no torque: the noise moves it along its coadjoint orbit")]
-    NoiseAndTorque,
 }
 
 impl From<InnerProductError> for OpenSystemError {

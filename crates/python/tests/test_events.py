@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pytest
 
-from heavytop import Event, IntegrationError, System, Top
+from heavytop import Event, IntegrationError, SpinLattice, System, Top
 
 START = dict(Pi=[2.0, 3.0, 4.0], Gamma=[0.6, 0.0, 0.8])
 TOP = Top.kovalevskaya()
@@ -260,3 +260,30 @@ def test_a_surface_may_be_an_angle(formulation):
                 difference = np.arctan2(points.y[4], points.y[3]) - value
                 assert np.abs(np.sin(difference / 2)).max(initial=0) < 1e-13
     assert np.ptp(angle) > 4 * np.pi
+
+
+def test_functions_of_the_time_and_of_inputs():
+    inputs = {"u": ([0, 10], [-1, 1], "linear")}
+    odd = np.pi / 2 * np.array([1, 3, 5])
+    closed, driven = System("so(3)", "Pi3"), System("so(3)", "Pi3", inputs=inputs, drive={"Pi": [0, 0, "u"]})
+    for system in (closed, driven):
+        run = system.solve([1, 0, 2], step=0.1, end=10, events=["cos(t)", lambda x, t: np.cos(t)])
+        for times in run.t_events:
+            assert times.shape == (3,) and np.abs(times - odd).max() < 1e-14
+    top = TOP.solve(**START, step=0.05, end=10, events="cos(t)")
+    assert np.abs(top.t_events[0] - odd).max() < 1e-14
+    assert np.abs(driven.solve([1, 0, 2], step=0.1, end=10, events="u - 0.25").t_events[0] - 6.25).max() < 1e-13
+    # Control: of the state alone, and of a name that is none.
+    assert np.abs(closed.solve([1, 0, 2], step=0.1, end=10, events=lambda x: x[-3]).t_events[0] - odd).max() < 1e-10
+    with pytest.raises(ValueError, match="u"):
+        closed.solve([1, 0, 2], step=0.1, end=10, events="u")
+    own = System("so(3)", "t*Pi3", parameters={"t": 1.0})
+    assert np.abs(own.solve([1, 0, 2], step=0.1, end=2, events="Pi1 - t/2").t_events[0] - np.pi / 3).max() < 1e-10
+    with pytest.raises(ValueError, match="another meaning"):
+        own.solve([1, 0, 2], step=0.1, end=2, events=lambda x, t: x.Pi1 - t)
+
+
+def test_functions_of_arrays_and_of_the_time():
+    spins = SpinLattice(4, exchange=1.0)
+    run = spins.solve({"direction": [0, 0, 1]}, step=0.1, end=2, events=[lambda x, t: np.cos(t), lambda x: x["S"][0, 2] - 2])
+    assert abs(run.t_events[0][0] - np.pi / 2) < 1e-14 and [times.size for times in run.t_events] == [1, 0]

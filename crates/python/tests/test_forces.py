@@ -136,7 +136,6 @@ def test_a_kind_may_have_forces():
         ({"torque": {"P": "1"}}, "no coordinate 'P'"),
         ({"drive": {"Pi": ["1", "2"]}}, "must have 3 formulas, got 2"),
         ({"drive": {"Pi": ["1", "2", "Pj"]}}, "there is no `Pj`"),
-        ({"noise": {"strength": 1}, "torque": ["1", "2", "3"]}, "a system with noise has no torque"),
         ({"inputs": {"u": ([0, 1], [1, 2])}}, r"must be \(times, values, interpolation\)"),
         ({"inputs": {"u": ([0, 1], [1], "linear")}}, "got 2 times and 1 values"),
         ({"inputs": {"u": ([0, 0], [1, 2], "linear")}}, "must increase"),

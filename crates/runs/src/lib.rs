@@ -39,7 +39,7 @@
 //! | a fluid on the sphere with viscosity, forces or noise | [`OpenArrays`], [`FluidTerms`], [`FluidNoise`], [`HarmonicShell`], [`NoisePaths`] |
 //! | any of them | [`ArrayTerms`] |
 //! | the rows of a run one by one | [`Experiment`] |
-//! | where functions of the momentum are zero along a run | [`EventFunctions`] |
+//! | where functions of the momentum and the time are zero along a run | [`EventFunctions`], [`TimedIntegrator`] |
 //! | means, deviations and quantiles over many paths of a motion with noise | [`PathEnsemble`], [`PathRow`], [`PathStatistics`] |
 //! | equal steps to an end, and which of them are written | [`Schedule`], [`Pace`] |
 //! | how tangent vectors grow: Lyapunov exponent, MEGNO, alignment | [`TangentGrowth`] |
@@ -87,7 +87,8 @@ pub use models::top_quantity::TopQuantity;
 pub use reports::report_line::ReportLine;
 pub use reports::steady_rotation::SteadyRotation;
 pub use reports::top_report::TopReport;
-pub use runs::event_functions::EventFunctions;
+pub use runs::events::event_functions::EventFunctions;
+pub use runs::events::timed_integrator::{TimedIntegrator, TimedState};
 pub use runs::experiment::Experiment;
 pub use runs::moment::{Moment, Saved};
 pub use runs::pace::Pace;

@@ -1,6 +1,7 @@
 //! The names of formulas of open systems, and the inputs among them: [`NamedInputs`].
 
 use crate::algebras::system_algebra::SystemAlgebra;
+use crate::error::FormulaSystemError;
 use crate::open_system_error::OpenSystemError;
 use lie_poisson::{InputTable, Real};
 use lie_poisson_formulas::{Parameters, Vocabulary};
@@ -41,6 +42,22 @@ impl NamedInputs {
         Vocabulary::new(&coordinates, parameters).map_err(|reason| wrong(Self::TIME, reason))
     }
 
+    /// Returns the names for functions of a system's momentum and the time, such as those of events: as
+    /// [`vocabulary`](Self::vocabulary), but without the time where the system itself gives the name `t` to something else.
+    ///
+    /// # Errors
+    /// If another name cannot be one or is there already.
+    pub fn vocabulary_of_functions(
+        &self,
+        algebra: &SystemAlgebra,
+        parameters: &Parameters,
+    ) -> Result<Vocabulary, FormulaSystemError> {
+        match self.vocabulary(algebra, parameters) {
+            Err(OpenSystemError::TimeName) => algebra.vocabulary(parameters),
+            names => Ok(names?),
+        }
+    }
+
     /// Returns the parameters with the time and the inputs as numbers, which are those of the time 0: for the system as it is
     /// then.
     ///
@@ -70,7 +87,7 @@ impl NamedInputs {
 
     /// Appends the time and the values of the inputs to the coordinates of a momentum. A time that misses the end of a table by
     /// rounding is the end.
-    pub(crate) fn append<T: Real>(&self, time: T, x: &mut Vec<T>) {
+    pub fn append<T: Real>(&self, time: T, x: &mut Vec<T>) {
         x.push(time);
         for (_, table) in &self.0 {
             let time = time.lane_by_lane(time, |time, _| inside(table, time)) + derivative_of(time);

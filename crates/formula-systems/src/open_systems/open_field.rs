@@ -30,12 +30,24 @@ impl<T: Real> Scratch<T> {
     }
 }
 
+/// Which of the motions a part of a step makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Motions {
+    /// All of them.
+    All,
+    /// The one along the coadjoint orbit.
+    OnOrbit,
+    /// That of the torque, for which the time stands still.
+    OfTorque,
+}
+
 /// The field of a part of a step.
 pub(super) struct OpenField<'a, T> {
     pub(super) system: &'a OpenSystem,
     /// The momenta, and the sign of the generator that makes the bracket of the system; none if the state is the momentum.
     pub(super) momenta: Option<(&'a QuadraticMomenta, f64)>,
     pub(super) part: NoisePart<'a, T>,
+    pub(super) motions: Motions,
     pub(super) window: Window<T>,
     pub(super) scratch: &'a RefCell<Scratch<T>>,
 }
@@ -78,6 +90,13 @@ impl<T: Real> OpenField<'_, T> {
         }
     }
 
+    /// Adds the torque to a rate.
+    fn add_torque(&self, x: &[T], rate: &mut [T]) {
+        if let Some(torque) = &self.system.terms().torque {
+            add(torque, x, T::from_f64(self.part.drift), rate);
+        }
+    }
+
     /// Writes Λ(μ) ξ.
     fn coadjoint(&self, xi: &[T], mu: &[T], rate: &mut [T]) {
         let base = self.system.base();
@@ -116,6 +135,13 @@ impl<T: Real> VectorField<T> for OpenField<'_, T> {
             None => scratch.x.copy_from_slice(z.as_slice()),
         }
         self.system.terms().inputs.append(time, &mut scratch.x);
+        if self.motions == Motions::OfTorque {
+            rate.as_mut_slice().fill(T::zero());
+            self.add_torque(&scratch.x, rate.as_mut_slice());
+            *clock_rate = Vector2::zeros();
+            attitude_rate.as_mut_slice().fill(T::zero());
+            return;
+        }
         self.element(dimension, scratch);
         let Scratch { x, xi, element, .. } = scratch;
         match self.momenta {
@@ -125,8 +151,8 @@ impl<T: Real> VectorField<T> for OpenField<'_, T> {
             }
             None => {
                 self.coadjoint(xi, x, rate.as_mut_slice());
-                if let Some(torque) = &self.system.terms().torque {
-                    add(torque, x, T::from_f64(self.part.drift), rate.as_mut_slice());
+                if self.motions == Motions::All {
+                    self.add_torque(x, rate.as_mut_slice());
                 }
             }
         }

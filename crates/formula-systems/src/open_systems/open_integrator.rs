@@ -1,12 +1,12 @@
 //! The integrator of an open system: [`OpenIntegrator`].
 
-use super::open_field::{OpenField, OpenState, Scratch};
+use super::open_field::{Motions, OpenField, OpenState, Scratch};
 use super::open_system::OpenSystem;
 use crate::error::FormulaSystemError;
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use collective_integrators::{
-    AnyIntegrator, AnyState, AnyTangents, Composition, Integrator, RungeKutta, Scheme, Start, Step,
-    StepError, StepParts,
+    AnyIntegrator, AnyState, AnyTangents, Composition, Integrator, NoisePart, RungeKutta, Scheme,
+    Start, Step, StepError, StepParts,
 };
 use core::cell::RefCell;
 use lie_poisson::{Pair, Real, State};
@@ -132,12 +132,24 @@ impl<T: Real> Integrator<T> for OpenIntegrator {
             step,
             |time, forward| inputs.next_break(time, forward),
             |window, part| {
-                let field = OpenField { system: &self.system, momenta, part, window, scratch };
-                // The noise before says nothing about that of this part.
-                if self.system.paths().is_some() {
-                    self.scheme.forget(scheme);
+                let system = &self.system;
+                let mut make = |motions, part: NoisePart<'_, T>| {
+                    let field = OpenField { system, momenta, part, motions, window, scratch };
+                    // The noise before says nothing about that of this part.
+                    if system.paths().is_some() {
+                        self.scheme.forget(scheme);
+                    }
+                    self.scheme.step_in_place(&field, &mut point, part.step, scheme)
+                };
+                if system.terms().torque.is_none() || part.weights.is_empty() || part.drift == 0.0 {
+                    return make(Motions::All, part);
                 }
-                self.scheme.step_in_place(&field, &mut point, part.step, scheme)
+                // The increments of a noise are too large for stages that a torque is to take off the orbit with the order of the
+                // scheme: Strang's splitting.
+                let half = NoisePart { weights: &[], step: 0.5 * part.step, ..part };
+                let before = make(Motions::OfTorque, half)?;
+                let on_orbit = make(Motions::OnOrbit, part)?;
+                Ok(before + on_orbit + make(Motions::OfTorque, half)?)
             },
         )?;
         // The weights of a method add up to 1 but for rounding, which would make the time drift.

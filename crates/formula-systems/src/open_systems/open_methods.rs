@@ -1,6 +1,6 @@
 //! The methods and the integrators of an open system.
 
-use super::open_field::{OpenField, Scratch};
+use super::open_field::{Motions, OpenField, Scratch};
 use super::open_integrator::OpenIntegrator;
 use super::open_system::OpenSystem;
 use super::open_terms::NoiseFields;
@@ -47,7 +47,8 @@ impl OpenSystem {
         scratch: &RefCell<Scratch<f64>>,
     ) -> Vec<f64> {
         let part = NoisePart { drift: 1.0, weights: &[], step: 0.0 };
-        let field = OpenField { system: self, momenta: None, part, window: Window::ALL, scratch };
+        let (momenta, motions, window) = (None, Motions::All, Window::ALL);
+        let field = OpenField { system: self, momenta, part, motions, window, scratch };
         let clock = Vector2::new(0.0, time / self.interval());
         let at = Pair(AnyState::from_slice(state), Pair(clock, AnyState::from_slice(&[])));
         field.at(&at).0.as_slice().to_vec()

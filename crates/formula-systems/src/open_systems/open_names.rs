@@ -70,6 +70,20 @@ impl OpenNames {
         })
     }
 
+    /// As [`system`](Self::system), with the algebra, the sign of the bracket and the Casimirs of another system.
+    ///
+    /// # Errors
+    /// As [`system`](Self::system).
+    pub fn system_near(
+        &self,
+        base: &FormulaSystem,
+        hamiltonian: &str,
+    ) -> Result<(FormulaSystem, Option<Formula>), FormulaSystemError> {
+        let in_time = Formula::new(hamiltonian, &self.vocabulary);
+        let in_time = in_time.map_err(FormulaSystemError::Hamiltonian)?;
+        self.system_by(in_time, |parameters| base.with_hamiltonian(hamiltonian, parameters))
+    }
+
     /// As [`system`](Self::system), for a Hamiltonian that is made in some other way: `in_time` is the formula in these names, and
     /// `system` makes the system with parameters, of which some may have the names of the time and of inputs.
     ///

@@ -328,7 +328,7 @@ impl Formula {
         &self,
         count: usize,
         z: impl Fn(usize) -> T,
-        use_it: impl FnOnce(&[T]) -> R,
+        mut use_it: impl FnMut(&[T]) -> R,
     ) -> R {
         match count == self.dimension() {
             true => self.0.gradient.pass((count, count), &z, &z, use_it),
@@ -350,7 +350,7 @@ impl Formula {
         &self,
         z: &[T],
         v: &[T],
-        use_it: impl FnOnce(&[T]) -> R,
+        mut use_it: impl FnMut(&[T]) -> R,
     ) -> R {
         let count = self.dimension();
         let both = |i: usize| if i < count { z[i] } else { v[i - count] };

@@ -118,7 +118,7 @@ impl Tape {
         counts: (usize, usize),
         input: impl Fn(usize) -> T,
         own: impl Fn(usize) -> T,
-        results: impl FnOnce(&[T]) -> R,
+        mut results: impl FnMut(&[T]) -> R,
     ) -> R {
         let affine = self.results.get(..counts.1).filter(|affine| affine.len() <= FEW);
         match affine.filter(|_| self.instructions.is_empty() && self.inputs == counts.0) {
@@ -147,56 +147,75 @@ impl Tape {
         counts: (usize, usize),
         input: impl Fn(usize) -> T,
         own: impl Fn(usize) -> T,
-        results: impl FnOnce(&[T]) -> R,
+        mut results: impl FnMut(&[T]) -> R,
     ) -> R {
+        let mut fill = filling(
+            #[cfg_attr(optimised, inline(always))]
+            |inputs, values| {
+                for (i, register) in inputs.iter_mut().enumerate() {
+                    *register = input(i);
+                }
+                for (i, register) in values.iter_mut().enumerate() {
+                    *register = own(i);
+                }
+            },
+        );
         // Only code that is inlined into the code for wide registers can use their instructions.
         match self.size {
-            8192 => self.evaluate_apart(counts, input, own, results),
-            _ if T::HAS_SLOW_PATHS => self.evaluate_apart(counts, input, own, results),
-            16 => self.evaluate_in::<T, R, { SIZES[0] }>(counts, input, own, results),
-            32 | 64 => self.evaluate_in::<T, R, { SIZES[2] }>(counts, input, own, results),
-            _ => self.evaluate_in::<T, R, { SIZES[4] }>(counts, input, own, results),
+            16 if !T::HAS_SLOW_PATHS => {
+                self.evaluate_in::<T, R, { SIZES[0] }>(counts, fill, results)
+            }
+            32 | 64 if !T::HAS_SLOW_PATHS => {
+                self.evaluate_in::<T, R, { SIZES[2] }>(counts, fill, results)
+            }
+            256 | 1024 if !T::HAS_SLOW_PATHS => {
+                self.evaluate_in::<T, R, { SIZES[4] }>(counts, fill, results)
+            }
+            _ => {
+                let mut value = None;
+                self.evaluate_apart(counts, &mut fill, &mut |found| value = Some(results(found)));
+                value.unwrap_or_else(|| results(&[]))
+            }
         }
     }
 
-    #[inline]
-    fn evaluate_apart<T: Real, R>(
+    /// Evaluates in code that is compiled once for each scalar, and not for each caller.
+    #[inline(never)]
+    fn evaluate_apart<T: Real>(
         &self,
         counts: (usize, usize),
-        input: impl Fn(usize) -> T,
-        own: impl Fn(usize) -> T,
-        results: impl FnOnce(&[T]) -> R,
-    ) -> R {
+        fill: &mut dyn FnMut(&mut [T], &mut [T]),
+        results: &mut dyn FnMut(&[T]),
+    ) {
         match self.size {
-            16 => self.evaluate_in::<T, R, { SIZES[0] }>(counts, input, own, results),
-            32 => self.evaluate_in::<T, R, { SIZES[1] }>(counts, input, own, results),
-            64 => self.evaluate_in::<T, R, { SIZES[2] }>(counts, input, own, results),
-            256 => self.evaluate_in::<T, R, { SIZES[3] }>(counts, input, own, results),
-            8192 => self.evaluate_in::<T, R, { SIZES[5] }>(counts, input, own, results),
-            _ => self.evaluate_in::<T, R, { SIZES[4] }>(counts, input, own, results),
+            16 => self.evaluate_in::<T, (), { SIZES[0] }>(counts, fill, results),
+            32 => self.evaluate_in::<T, (), { SIZES[1] }>(counts, fill, results),
+            64 => self.evaluate_in::<T, (), { SIZES[2] }>(counts, fill, results),
+            256 => self.evaluate_in::<T, (), { SIZES[3] }>(counts, fill, results),
+            8192 => self.evaluate_in::<T, (), { SIZES[5] }>(counts, fill, results),
+            _ => self.evaluate_in::<T, (), { SIZES[4] }>(counts, fill, results),
         }
     }
 
+    /// Evaluates in registers of which `fill` writes the coordinates, and those that belong to the results.
     #[cfg_attr(optimised, inline(always))]
     fn evaluate_in<T: Real, R, const SIZE: usize>(
         &self,
         (inputs, outputs): (usize, usize),
-        input: impl Fn(usize) -> T,
-        own: impl Fn(usize) -> T,
-        results: impl FnOnce(&[T]) -> R,
+        mut fill: impl FnMut(&mut [T], &mut [T]),
+        mut results: impl FnMut(&[T]) -> R,
     ) -> R {
         let mut registers = [T::from_f64(0.0); SIZE];
         let affine = self.results.get(..outputs).filter(|_| inputs == self.inputs);
+        let end = inputs + outputs;
         let (Some(affine), Some((first, others))) =
-            (affine, registers.split_at_mut_checked(inputs))
+            (affine, registers.get_mut(..end).map(|all| all.split_at_mut(inputs)))
         else {
             return results(&[]);
         };
-        for (i, register) in first.iter_mut().enumerate() {
-            *register = input(i);
-        }
-        for (i, (register, affine)) in others.iter_mut().zip(affine).enumerate() {
-            *register = affine.at(own(i));
+        fill(first, others);
+        for (register, affine) in others.iter_mut().zip(affine) {
+            *register = affine.at(*register);
         }
         for (sum, others) in others.iter_mut().zip(&*self.others) {
             *sum = others.added_to(*sum, |i| first[i]);
@@ -204,27 +223,17 @@ impl Tape {
         for &(register, number) in &*self.numbers {
             registers[usize::from(register) % SIZE] = T::from_f64(number);
         }
-        // A call costs as much as a few operations on plain numbers.
-        let is_plain = T::from_f64(0.0).as_f64().is_some();
-        match T::HAS_SLOW_PATHS && !is_plain {
-            true => self.execute_apart(&mut registers),
-            false => self.execute(&mut registers),
-        }
-        results(registers.get(inputs..inputs + outputs).unwrap_or_default())
-    }
-
-    #[cfg_attr(optimised, inline(always))]
-    fn execute<T: Real, const SIZE: usize>(&self, registers: &mut [T; SIZE]) {
         for instruction in &*self.instructions {
-            instruction.execute(registers);
+            instruction.execute(&mut registers);
         }
+        results(registers.get(inputs..end).unwrap_or_default())
     }
+}
 
-    /// Executes the instructions in code that is compiled once for each scalar, and not for each caller.
-    #[inline(never)]
-    fn execute_apart<T: Real, const SIZE: usize>(&self, registers: &mut [T; SIZE]) {
-        self.execute(registers);
-    }
+/// Returns a function that fills registers, whose attribute needs a place where there may be one.
+#[cfg_attr(optimised, inline(always))]
+const fn filling<T, F: FnMut(&mut [T], &mut [T])>(fill: F) -> F {
+    fill
 }
 
 /// Returns one of the results, or NaN if there is none.

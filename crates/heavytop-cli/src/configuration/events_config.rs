@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct EventsConfig {
-    /// The functions whose zeros are found: formulas in the coordinates.
+    /// The functions whose zeros are found: formulas in the coordinates, the time `t` and inputs.
     pub functions: Vec<String>,
     /// The direction in which they pass zero.
     #[serde(deserialize_with = "direction", serialize_with = "direction_name")]

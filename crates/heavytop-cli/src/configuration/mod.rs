@@ -24,13 +24,14 @@ pub use open::{
     DampingConfig, DampingForm, Element, Formulas, InnerProductConfig, InputConfig, NoiseConfig,
     Shell, ShellConfig,
 };
+pub(crate) use open::{OpenModel, OpenStart};
 pub use output_config::OutputConfig;
 pub use plane_limits::PlaneLimits;
 pub use preset::Preset;
 pub use section_config::SectionConfig;
 pub use sweep::{
-    AxisConfig, Column, Observable, Parameter, Part, SweepConfig, SystemParameter, SystemTable,
-    TopParameter,
+    AxisConfig, Column, ForceParameter, Observable, Parameter, Part, SweepConfig, SystemParameter,
+    SystemTable, TopParameter,
 };
 pub(crate) use sweep::{Spread, SweepAxis};
 pub use system::{Bracket, Numbers, SystemConfig};

@@ -2,6 +2,7 @@
 
 use super::parts::checkpoint_error::CheckpointError;
 use super::parts::field_file_error::FieldFileError;
+use super::parts::input_file_error::InputFileError;
 use super::parts::sweep_error::SweepError;
 use super::parts::system_table_error::SystemTableError;
 use super::quotation::Quotation;
@@ -43,6 +44,16 @@ pub enum Error {
         path: PathBuf,
         /// What is wrong with it.
         source: Box<FieldFileError>,
+    },
+    /// A file has not the table of an input.
+    #[error("[inputs.{name}] {}", path.display())]
+    InputFile {
+        /// The name of the input.
+        name: String,
+        /// The path of the file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: Box<InputFileError>,
     },
     /// CSV and Parquet would have too many columns.
     #[error(

@@ -11,6 +11,7 @@ mod report;
 pub use error::Error;
 pub use parts::checkpoint_error::CheckpointError;
 pub use parts::field_file_error::FieldFileError;
+pub use parts::input_file_error::InputFileError;
 pub use parts::sweep_error::SweepError;
 pub use parts::system_table_error::SystemTableError;
 pub use quotation::Quotation;

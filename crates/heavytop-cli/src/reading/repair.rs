@@ -16,6 +16,9 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
     let repair = |key: &str, note: String| (key.to_string(), note);
     match error {
         Error::Body(top) => vec![of_vector("body", top, config.body.center_of_mass)],
+        Error::InputFile { name, .. } => {
+            vec![repair(&format!("inputs.{name}.file"), String::new())]
+        }
         Error::CentralMoments => {
             let note = "write mass and length too, or moments about the support".to_string();
             vec![repair("body.inertia_about", note)]
@@ -216,7 +219,9 @@ fn of_sweep(error: &SweepError, config: &Config) -> Vec<Repair> {
         SweepError::Momentum { axis } => of_axis(axis, "write `initial.angular_velocity` too"),
         SweepError::Matrix { axis } => of_axis(axis, "vary another number"),
         SweepError::Weight { axis } => of_axis(axis, "vary body.weight_moment"),
-        SweepError::OfTops { .. } => vec![repair("observables", "leave it out")],
+        SweepError::OfTops { .. } | SweepError::OfClosed { .. } => {
+            vec![repair("observables", "leave it out")]
+        }
         SweepError::Lifted { .. } => {
             vec![("integrator.formulation".into(), "write \"direct\"".into())]
         }

@@ -123,6 +123,14 @@ impl Sources {
                     .unwrap_or_else(|e| e));
             }
         }
+        match config.find_input_files(folder) {
+            Ok(paths) => self.inputs.extend(paths.into_iter().map(Input::File)),
+            Err(error) => {
+                let key = repairs(&error, &config).into_iter().next();
+                let (key, note) = key.unwrap_or_default();
+                return Err(text.quote(&key, &note, error).unwrap_or_else(|error| error));
+            }
+        }
         self.config = config;
         self.texts.push(text);
         Ok(())
@@ -190,12 +198,31 @@ const RIVALS: [&[&[&str]]; 2] = [
     &[&["vertical"], &["inclination", "azimuth"], &["attitude"], &["euler_angles"]],
 ];
 
+/// Keys of an input that say the same thing in several ways.
+const RIVALS_OF_INPUT: &[&[&str]] = &[&["file", "time", "value", "checksum"], &["times", "values"]];
+
 /// Removes the keys whose rivals override them.
 fn remove_rivals(base: &mut Table, over: &Table) {
-    let table = "initial";
-    let Some(over) = over.get(table).and_then(Value::as_table) else { return };
-    let Some(base) = base.get_mut(table).and_then(Value::as_table_mut) else { return };
-    for ways in RIVALS {
+    let below = |table: &str| over.get(table).and_then(Value::as_table);
+    if let (Some(over), Some(base)) = (below("initial"), base_of(base, "initial")) {
+        remove_rivals_among(&RIVALS, base, over);
+    }
+    let Some(base) = base_of(base, "inputs") else { return };
+    for (name, over) in below("inputs").into_iter().flatten() {
+        if let (Some(over), Some(base)) = (over.as_table(), base_of(base, name)) {
+            remove_rivals_among(&[RIVALS_OF_INPUT], base, over);
+        }
+    }
+}
+
+/// Returns the table of this name in a table.
+fn base_of<'a>(base: &'a mut Table, name: &str) -> Option<&'a mut Table> {
+    base.get_mut(name).and_then(Value::as_table_mut)
+}
+
+/// Removes the keys of one table whose rivals, in these ways to say a thing, override them.
+fn remove_rivals_among(rivals: &[&[&[&str]]], base: &mut Table, over: &Table) {
+    for ways in rivals {
         for (place, keys) in ways.iter().enumerate() {
             if keys.iter().any(|key| over.contains_key(*key)) {
                 let others = ways.iter().enumerate().filter(|(other, _)| *other != place);

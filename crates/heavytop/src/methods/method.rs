@@ -76,7 +76,7 @@ impl Method {
     /// bit-identical steps.
     ///
     /// It is the portable set, except for the kernels: Gauss's methods under `collective`, and the midpoint rule under
-    /// `reduced`, if their stages are solved to the round-off floor. These fuse multiplications with additions. With
+    /// `reduced` if its stages are solved to the round-off floor. These fuse multiplications with additions. With
     /// more than four stages, a Gauss method also adds up numbers in the order of the lanes.
     ///
     /// # Example
@@ -87,7 +87,7 @@ impl Method {
     /// let gauss = Method::new(Formulation::Collective, SchemeName::Gauss(8), 0.0)?;
     /// assert_eq!(gauss.instructions(), InstructionSet::detected());
     /// assert_eq!(gauss.with_instructions(portable)?.instructions(), portable);
-    /// let looser = Method::new(Formulation::Collective, SchemeName::Gauss(8), 1e-12)?;
+    /// let looser = Method::new(Formulation::Reduced, SchemeName::ImplicitMidpoint, 1e-12)?;
     /// assert_eq!(looser.instructions(), portable);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -104,12 +104,11 @@ impl Method {
 
     /// Returns whether there is a kernel that computes the steps of this method faster.
     fn has_kernel(&self) -> bool {
-        self.tolerance == 0.0
-            && matches!(
-                (self.formulation, self.scheme),
-                (Formulation::Collective, SchemeName::Gauss(1..=8))
-                    | (Formulation::Reduced, SchemeName::ImplicitMidpoint)
-            )
+        match (self.formulation, self.scheme) {
+            (Formulation::Collective, SchemeName::Gauss(1..=8)) => true,
+            (Formulation::Reduced, SchemeName::ImplicitMidpoint) => self.tolerance == 0.0,
+            _ => false,
+        }
     }
 
     /// Returns the method that makes the same steps in the least time, from momenta with Γ ≠ 0.
@@ -222,6 +221,7 @@ impl Method {
 
     fn gauss_kernel(&self, stages: u8, top: &HeavyTop) -> Result<CollectiveGauss, MethodError> {
         let gauss = CollectiveGauss::new(stages.into(), *top).map_err(|e| self.failed(e))?;
+        let gauss = gauss.with_tolerance(self.tolerance);
         Ok(match self.instructions {
             Some(set) => gauss.with_instructions(set)?,
             None => gauss,

@@ -116,7 +116,12 @@ impl<V: State> StageHistory<V> {
             let misled = guessed.and(first.converged.not());
             if V::Scalar::HAS_SLOW_PATHS && misled.any() {
                 begin(field, z, misled.not(), (k, spare));
-                let second = again(solver, misled.not(), scale, (k, spare), &mut equations);
+                let has_low_parts = equations.has_low_parts();
+                let mut evaluate = |i: usize, k: &[V], near: MaskOf<V>, value: &mut V| {
+                    equations.evaluate(i, k, near, value)
+                };
+                let mut same = Erased { has_low_parts, evaluate: &mut evaluate };
+                let second = again(solver, misled.not(), scale, (k, spare), &mut same);
                 outcome = retried(first, guessed, second);
             }
         }
@@ -270,7 +275,24 @@ fn begin<V: State, F: VectorField<V::Scalar, Point = V>>(
     fill_unless(done, k, spare);
 }
 
-/// Makes a second attempt in the lanes that are not `done`. It is rare, and kept out of the way of the first.
+/// Stage equations whose type is not known.
+struct Erased<'a, V: State> {
+    has_low_parts: bool,
+    evaluate: &'a mut dyn FnMut(usize, &[V], MaskOf<V>, &mut V),
+}
+
+impl<V: State> StageEquations<V> for Erased<'_, V> {
+    fn has_low_parts(&self) -> bool {
+        self.has_low_parts
+    }
+
+    fn evaluate(&mut self, i: usize, k: &[V], near: MaskOf<V>, value: &mut V) {
+        (self.evaluate)(i, k, near, value);
+    }
+}
+
+/// Makes a second attempt in the lanes that are not `done`. It is rare, and so compiled once for each type of vectors and
+/// scales, and not for each field.
 #[cold]
 #[inline(never)]
 fn again<V: State>(
@@ -278,7 +300,7 @@ fn again<V: State>(
     done: MaskOf<V>,
     scale: &impl Scale<V>,
     (k, spare): (&mut [V], &mut V),
-    equations: &mut impl StageEquations<V>,
+    equations: &mut Erased<'_, V>,
 ) -> Result<usize, Unconverged<MaskOf<V>>> {
     solver.solve_from(done, scale, k, spare, &mut unknown(), equations)
 }

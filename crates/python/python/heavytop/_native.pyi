@@ -26,7 +26,7 @@ Path = tuple[int, int, Optional[float], Optional[float]]
 Lattice = tuple[Optional[tuple[float, bool]], Optional[tuple[float, Path]]]
 Shells = list[tuple[tuple[int, int], float]]
 Fluid = tuple[tuple[float, int, float], list[list[float]], Optional[tuple[Shells, Shells, Path]]]
-Callback = tuple[Callable[[Floats], float], int, int]
+Callback = tuple[Callable[[Floats, float], float], int, int]
 Accuracy = tuple[float, Optional[float], Optional[str]]
 
 class IntegrationError(RuntimeError): ...

@@ -17,6 +17,7 @@ from .open_terms import native_arrays
 from .solution import Floats, Solution
 from .system import System
 from .system_description import Parameters, State
+from .tracing import takes_time
 
 
 MOST_ROWS = 8192
@@ -37,7 +38,8 @@ class ArraySystem(System):
 
     A state, `y`, has all numbers of the arrays one after the other; `unpack` gives the arrays, and `run["S"]` those of a run.
     `solve` takes a state, the array of a system that has one, or what `start` takes by name. Its events are Python functions of
-    the arrays by name, such as `lambda x: x["S"][..., 2].mean()`, which are called after each step. There are no sections.
+    the arrays by name, such as `lambda x: x["S"][..., 2].mean()`, or of them and the time, `lambda x, t: ...`, which are called after
+    each step. There are no sections.
 
     Args:
         kind: the name of the system, such as "spin-lattice".
@@ -123,8 +125,9 @@ class ArraySystem(System):
         def watched(name: str, event: Any) -> NativeEvent:
             event, direction, terminal = event_parts(name, event)
             if not callable(event.function):
-                raise ValueError(f"{name} must be a function of the arrays by name, got {event.function!r}")
-            return (lambda y: number(name, event.function(self.unpack(y)))), direction, terminal
+                raise ValueError(f"{name} must be a function of the arrays by name, or of them and the time, got {event.function!r}")
+            function = event.function if takes_time(event.function) else lambda arrays, _: event.function(arrays)
+            return (lambda y, t: number(name, function(self.unpack(y), t))), direction, terminal
 
         return [watched(f"events[{i}]", event) for i, event in enumerate(list_of(events))]
 

@@ -1,4 +1,4 @@
-"""Events: zeros of a function of the state along a run."""
+"""Events: zeros of a function of the state and the time along a run."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ import numpy as np
 
 from .arguments import real
 from .symbols import Part
-from .tracing import trace
+from .tracing import TIME, in_time, takes_time, trace
 
 Function = Union[str, Callable[[Any], Any]]
-"""A function of the state: a formula, or a Python function of the coordinates that is called once, with symbols."""
+"""A function of the state: a formula, or a Python function of the coordinates that is called once, with symbols. That of an event may
+be a function of the coordinates and the time."""
 
 NativeEvent = tuple[Any, int, int]
 """The function, the direction, and the number of the occurrence that ends the run, or 0."""
@@ -21,7 +22,7 @@ NativeEvent = tuple[Any, int, int]
 
 @dataclass(frozen=True)
 class Event:
-    """A function of the state whose zeros are found along a run.
+    """A function of the state and the time whose zeros are found along a run.
 
     At an event the function goes to zero and changes its sign. A touch, as of "(Gamma3 - 1)^2", is no event, since the sign
     does not change; neither are jumps and poles, where the function does not go to zero. A start where the function is zero
@@ -29,8 +30,9 @@ class Event:
     a multiple of 2 pi, or of the period that a constant factor gives it. Half a turn, as of "arctan(...)", is no angle.
 
     Attributes:
-        function: a formula in the coordinates, such as "Gamma3 - 0.5" or "Pi·Gamma - 1", or a Python function of them, such
-            as `lambda x: x.Gamma3 - 0.5`, which is called once, with symbols.
+        function: a formula in the coordinates, the time `t` and the inputs of a system, such as "Gamma3 - 0.5" or "Pi3 - cos(t)",
+            or a Python function of the coordinates, such as `lambda x: x.Gamma3 - 0.5`, or of the coordinates and the time, such as
+            `lambda x, t: x.Pi3 - cos(t)`, which is called once, with symbols.
         direction: positive for zeros where the function grows along the run, negative where it falls, 0 for both. Along a run backward in
             time a function grows that falls in time, as in SciPy.
         terminal: whether the run ends at the first zero; a whole number ends it at that zero, counted from 1.
@@ -92,7 +94,14 @@ def native_event(
 ) -> NativeEvent:
     """Returns an event as the native part takes it."""
     event, direction, terminal = event_parts(name, event)
-    return function_source(name, event.function, names, parameters), direction, terminal
+    function = event.function
+    if callable(function) and takes_time(function):
+        if TIME in names or TIME in parameters:
+            raise ValueError(f"{name} cannot be a function of the time: {TIME} has another meaning in this system")
+        # The time follows the coordinates.
+        size = max(int(places.stop) for places in names.values())
+        function, names = in_time(function), {**names, TIME: slice(size, size + 1)}
+    return function_source(name, function, names, parameters), direction, terminal
 
 
 def event_parts(name: str, event: Union[Event, Function]) -> tuple[Event, int, int]:

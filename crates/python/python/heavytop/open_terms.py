@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -15,7 +14,7 @@ from . import _native
 from .arguments import array, choice, count, real
 from .events import Function
 from .symbols import Part
-from .tracing import trace, trace_element
+from .tracing import TIME, in_time, takes_time, trace, trace_element
 
 Element = Union[Callable[..., Any], Mapping[str, Any], Sequence[Any]]
 """An element of the algebra, or a rate of the coordinates: a function of the state and the time that returns a number for each
@@ -25,8 +24,6 @@ Inputs = Mapping[str, tuple[ArrayLike, ArrayLike, str]]
 """Inputs by name: times, values, and "constant", "linear" or "cubic" between them."""
 
 Source = Union[str, list[Part]]
-
-TIME = "t"
 
 PATH = ("seed", "path", "interval", "bound")
 """What every noise has."""
@@ -79,21 +76,6 @@ class OpenNames:
 
     def _formula(self, name: str, value: Any) -> Source:
         return value if isinstance(value, str) else [("number", real(name, value), 0, 0, 0)]
-
-
-def in_time(function: Callable[..., Any]) -> Callable[[Any], Any]:
-    """Returns a function of the state, whose time a function of the state and the time gets, too."""
-    return (lambda x: function(x, x[TIME])) if takes_time(function) else function
-
-
-def takes_time(function: Callable[..., Any]) -> bool:
-    """Returns whether a function has two arguments without which it cannot be called."""
-    try:
-        parameters = inspect.signature(function).parameters.values()
-    except (TypeError, ValueError):
-        return False
-    needed = [p for p in parameters if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) and p.default is p.empty]
-    return len(needed) > 1
 
 
 def depends_on_time(hamiltonian: Any, parameters: Mapping[str, Any]) -> bool:

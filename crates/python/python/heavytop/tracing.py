@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable, Mapping
 from typing import Any, Union
 
@@ -12,6 +13,9 @@ from .symbols import Part, Symbol, SymbolArray, Trace
 
 BINARY = ("add", "subtract", "multiply", "divide", "power", "atan2")
 """The operations that combine two parts."""
+
+TIME = "t"
+"""The name of the time."""
 
 
 class StateSymbols:
@@ -141,3 +145,17 @@ def operands(part: Part) -> tuple[int, ...]:
         return (first, second, third)
     return (first, second) if operation in BINARY else (first,)
 
+
+def in_time(function: Callable[..., Any]) -> Callable[[Any], Any]:
+    """Returns a function of the state, whose time a function of the state and the time gets, too."""
+    return (lambda x: function(x, x[TIME])) if takes_time(function) else function
+
+
+def takes_time(function: Callable[..., Any]) -> bool:
+    """Returns whether a function has two arguments without which it cannot be called."""
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):
+        return False
+    needed = [p for p in parameters if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) and p.default is p.empty]
+    return len(needed) > 1

@@ -1,11 +1,11 @@
-//! Functions of the state whose zeros are found along a run: [`Event`].
+//! Functions of the state and the time whose zeros are found along a run: [`Event`].
 
 use crate::errors::{IntegrationError, failed, message};
 use crate::formulas::FormulaSource;
-use collective_integrators::{AnyIntegrator, AnyState, Direction, EventError, EventSearch};
-use heavytop::PrincipalAxes;
+use collective_integrators::{Direction, EventError, EventSearch};
+use lie_poisson::Pair;
 use lie_poisson_formulas::Vocabulary;
-use lie_poisson_runs::{Model, TopInAxes};
+use lie_poisson_runs::{Model, TimedIntegrator, TimedState};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::{Py, PyAny, PyErr, PyResult, Python};
@@ -14,13 +14,13 @@ use std::sync::{Arc, Mutex};
 /// An event as Python passes it: the function, the direction 1, −1 or 0, and after how many occurrences the run ends.
 pub(crate) type EventArgument = (FormulaSource, i8, u64);
 
-/// A function of the arrays of a system as Python passes it, with the direction and the number of the last occurrence.
+/// A function of the arrays of a system and the time as Python passes it, with the direction and the number of the last occurrence.
 pub(crate) type CallbackArgument = (Py<PyAny>, i8, u64);
 
-/// A function of a state.
-type Function<'a> = Box<dyn Fn(&[f64]) -> f64 + Send + Sync + 'a>;
+/// A function of a state and the time.
+type Function<'a> = Box<dyn Fn(&[f64], f64) -> f64 + Send + Sync + 'a>;
 
-/// A function of the state whose zeros are found.
+/// A function of the state and the time whose zeros are found.
 pub(crate) struct Event<'a> {
     function: Function<'a>,
     /// The period of an angle.
@@ -33,21 +33,19 @@ pub(crate) struct Event<'a> {
 }
 
 impl<'a> Event<'a> {
-    /// Creates an event in the names of a space. With `axes` its coordinates are those of a top in other axes than the
-    /// principal ones.
+    /// Creates an event in the names of a model, in the axes of the users.
     pub(crate) fn new(
         (function, way, last): &EventArgument,
         names: &Vocabulary,
-        axes: Option<PrincipalAxes>,
+        model: &'a dyn Model,
     ) -> PyResult<Self> {
         let formula = function.formula(names)?;
         let period = formula.period();
-        let function = move |mu: &[f64]| match &axes {
-            Some(axes) => {
-                let given = axes.state_from_principal(&TopInAxes::state(mu));
-                formula.value_at(&TopInAxes::coordinates(&given))
-            }
-            None => formula.value_at(mu),
+        let function = move |mu: &[f64], time: f64| {
+            let mut x = mu.to_vec();
+            model.present(&mut x);
+            model.append_inputs(time, &mut x);
+            formula.value_at(x.get(..formula.dimension()).unwrap_or(&x))
         };
         Self::of(Box::new(function), period, (*way, *last), Arc::default())
     }
@@ -56,23 +54,23 @@ impl<'a> Event<'a> {
     pub(crate) fn all(
         arguments: &[EventArgument],
         names: &Vocabulary,
-        axes: Option<PrincipalAxes>,
+        model: &'a dyn Model,
     ) -> PyResult<Vec<Self>> {
-        arguments.iter().map(|argument| Self::new(argument, names, axes)).collect()
+        arguments.iter().map(|argument| Self::new(argument, names, model)).collect()
     }
 
-    /// Creates an event of a Python function of the state as users read it.
+    /// Creates an event of a Python function of the state, as users read it, and the time.
     pub(crate) fn of_callback(
         (callback, way, last): &'a CallbackArgument,
         model: &'a dyn Model,
     ) -> PyResult<Self> {
         let raised: Arc<Mutex<Option<PyErr>>> = Arc::default();
         let keep = Arc::clone(&raised);
-        let function = move |mu: &[f64]| {
+        let function = move |mu: &[f64], time: f64| {
             let mut state = mu.to_vec();
             model.present(&mut state);
             let value = Python::attach(|py| {
-                callback.call1(py, (PyArray1::from_vec(py, state),))?.extract::<f64>(py)
+                callback.call1(py, (PyArray1::from_vec(py, state), time))?.extract::<f64>(py)
             });
             value.unwrap_or_else(|error| {
                 if let Ok(mut first) = keep.lock() {
@@ -101,9 +99,9 @@ impl<'a> Event<'a> {
     /// Returns the search for the event along a run of an integrator.
     pub(crate) fn search<'b>(
         &'b self,
-        integrator: &'b AnyIntegrator,
-    ) -> EventSearch<'b, AnyIntegrator, impl Fn(&AnyState) -> f64 + use<'a, 'b>> {
-        let function = |mu: &AnyState| (self.function)(mu.as_slice());
+        integrator: &'b TimedIntegrator<'b>,
+    ) -> EventSearch<'b, TimedIntegrator<'b>, impl Fn(&TimedState) -> f64 + use<'a, 'b>> {
+        let function = |Pair(mu, time): &TimedState| (self.function)(mu.as_slice(), time.x);
         let search = EventSearch::new(integrator, function, self.direction);
         match self.period {
             Some(period) => search.modulo(period),

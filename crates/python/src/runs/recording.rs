@@ -4,10 +4,8 @@ use super::event::{Event, event_failed};
 use super::interruption::Interruption;
 use super::record::Record;
 use crate::errors::{IntegrationError, failed};
-use collective_integrators::{
-    AnyIntegrator, AnyState, EventError, EventSearch, SampleOf, Trajectory,
-};
-use lie_poisson_runs::{Conserved, Schedule};
+use collective_integrators::{AnyIntegrator, EventError, EventSearch, SampleOf, Trajectory};
+use lie_poisson_runs::{Conserved, Schedule, TimedIntegrator, TimedState};
 use pyo3::PyResult;
 
 /// A sample of a run.
@@ -41,8 +39,8 @@ impl Recording<'_> {
         let [dimension, count] = self.widths;
         let widths = [dimension, count, attitude_width];
         let mut record = Record::new(samples, widths, self.events.len())?;
-        let mut searches: Vec<_> =
-            self.events.iter().map(|event| event.search(integrator)).collect();
+        let timed = TimedIntegrator::new(integrator);
+        let mut searches: Vec<_> = self.events.iter().map(|event| event.search(&timed)).collect();
         let interruption = Interruption::default();
         for sample in interruption.until(run) {
             let sample = match sample {
@@ -86,21 +84,25 @@ impl Recording<'_> {
     }
 
     /// Adds the events that a sample completes, and returns the one that ends the run, if any.
-    fn observe(
+    fn observe<'b>(
         &self,
-        searches: &mut [EventSearch<'_, AnyIntegrator, impl Fn(&AnyState) -> f64>],
+        searches: &mut [EventSearch<'b, TimedIntegrator<'b>, impl Fn(&TimedState) -> f64>],
         sample: &Sample,
         record: &mut Record,
     ) -> Result<Option<Sample>, (usize, EventError)> {
         let mut end: Option<Sample> = None;
+        if searches.is_empty() {
+            return Ok(end);
+        }
+        let timed = TimedIntegrator::sample(sample);
         for (index, search) in searches.iter_mut().enumerate() {
-            let found = search.observe(sample).map_err(|error| (index, error))?;
+            let found = search.observe(&timed).map_err(|error| (index, error))?;
             let (Some(points), Some(event)) =
                 (record.events.get_mut(index), self.events.get(index))
             else {
                 continue;
             };
-            for occurrence in found.into_iter().flatten() {
+            for occurrence in found.into_iter().flatten().map(TimedIntegrator::untimed) {
                 points.times.push(occurrence.time);
                 points.states.extend_from_slice(occurrence.momentum.as_slice());
                 let is_last = points.times.len() as u64 == event.last;

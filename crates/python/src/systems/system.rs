@@ -123,7 +123,7 @@ impl System {
             _ => return Err(PyValueError::new_err("write a Hamiltonian, or the name of a system")),
         };
         // What the user has given has names in events, too.
-        let names = system.algebra().vocabulary(&given).map_err(refused)?;
+        let names = inputs.vocabulary_of_functions(system.algebra(), &given).map_err(refused)?;
         let terms = match &open {
             None => None,
             Some(open) => {
@@ -303,8 +303,8 @@ impl System {
         every: u64,
         events: Vec<EventArgument>,
     ) -> PyResult<Recorded> {
-        let events = Event::all(&events, &self.names, None)?;
         let model = self.model(setting.1)?;
+        let events = Event::all(&events, &self.names, &*model)?;
         model.require_until(end)?;
         let run = self.following(&model, &setting)?;
         model.conserved(&setting.0).values(0.0, &setting.0).map_err(PyValueError::new_err)?;

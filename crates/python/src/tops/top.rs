@@ -11,7 +11,8 @@ use crate::runs::following::{Following, MethodArgument, Setting, present};
 use collective_integrators::diagnostics::SystemScales;
 use heavytop::methods::{Formulation, Method, MethodError};
 use heavytop::{HeavyTop, Invariant, attitude_of_vertical};
-use lie_poisson::{Quaternion, Se3, Se3Dual};
+use lie_poisson::{Quaternion, Se3Dual};
+use lie_poisson_formula_systems::{NamedInputs, SystemAlgebra};
 use lie_poisson_formulas::{Parameters, Vocabulary};
 use lie_poisson_runs::{Model, TopInAxes};
 use nalgebra::Vector3;
@@ -225,7 +226,7 @@ impl Top {
     ) -> PyResult<Recorded> {
         let axes = self.model.axes;
         let turned = Some(axes).filter(|axes| !axes.is_aligned());
-        let events = Event::all(&events, &names()?, turned)?;
+        let events = Event::all(&events, &names()?, &self.model)?;
         let (has_attitude, initial) = attitude;
         let initial =
             initial.map(|[scalar, x, y, z]| Quaternion { scalar, vector: Vector3::new(x, y, z) });
@@ -294,9 +295,11 @@ impl Top {
     }
 }
 
-/// Returns the names of the coordinates in events.
+/// Returns the names of the coordinates and the time in events.
 fn names() -> PyResult<Vocabulary> {
-    Vocabulary::of(&Se3::default(), &Parameters::new()).map_err(refused)
+    let algebra = SystemAlgebra::named("se(3)").map_err(refused)?;
+    let names = NamedInputs::default().vocabulary_of_functions(&algebra, &Parameters::new());
+    names.map_err(refused)
 }
 
 /// Returns the method of these names.

@@ -143,6 +143,11 @@ fn one_top(contest: &mut Contest<'_>) -> Result<(), RunFailure> {
         let name = format!("heavytop collective Gauss-{}", 2 * stages);
         contest.single(&name, step, &gauss)?;
     }
+    // As a solver that stops its iteration early.
+    for step in [0.4, 1.0 / 3.0, 0.3125, 0.25] {
+        let early = Method::new(Formulation::Collective, SchemeName::Gauss(8), 5e-14)?;
+        contest.single("heavytop Gauss-16 to 5e-14", step, &early.integrator(&top)?)?;
+    }
     if let Ok(flows) = SymmetricTopSplitting::new(top) {
         for (name, step, substeps) in splittings() {
             let name = format!("heavytop {name}, one top");

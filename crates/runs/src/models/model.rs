@@ -117,6 +117,11 @@ pub trait Model: SystemScales + fmt::Debug + Send + Sync {
     /// Replaces a momentum by the one in the axes of the users.
     fn present(&self, _momentum: &mut [f64]) {}
 
+    /// Appends to the coordinates of a momentum what formulas may name behind them: the time, s, and the values of inputs at it.
+    fn append_inputs(&self, time: f64, x: &mut Vec<f64>) {
+        x.push(time);
+    }
+
     /// Returns what turns attitudes of the motion from a start to those in the axes of the users.
     fn present_attitude(&self, _start: &[f64]) -> Box<dyn Fn(Quaternion) -> Quaternion + '_> {
         Box::new(|attitude| attitude)

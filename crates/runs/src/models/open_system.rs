@@ -49,6 +49,10 @@ impl Model for OpenSystem {
         self.terms().noise.as_ref().map(|noise| (noise.seed, noise.path))
     }
 
+    fn append_inputs(&self, time: f64, x: &mut Vec<f64>) {
+        self.terms().inputs.append(time, x);
+    }
+
     fn formula(&self, conserved: &str) -> Option<String> {
         match (conserved, &self.terms().hamiltonian) {
             ("h", Some(hamiltonian)) => Some(hamiltonian.to_string()),

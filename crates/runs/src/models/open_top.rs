@@ -113,6 +113,10 @@ impl Model for OpenTop {
         self.system.noise()
     }
 
+    fn append_inputs(&self, time: f64, x: &mut Vec<f64>) {
+        self.system.append_inputs(time, x);
+    }
+
     fn descends(&self, method: &Method, _start: &[f64]) -> Result<bool, RunFailure> {
         Ok(self.system.descends(method)?)
     }

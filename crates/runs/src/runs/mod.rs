@@ -6,5 +6,5 @@ pub(crate) mod pace;
 pub(crate) mod path_ensemble;
 pub(crate) mod moment;
 pub(crate) mod experiment;
-pub(crate) mod event_functions;
+pub(crate) mod events;
 pub(crate) mod tangent_growth;

@@ -4,6 +4,7 @@ use super::lane_scalar::Lanes;
 use super::registers::register::Register;
 use crate::numbers::mask::Mask;
 use crate::numbers::real::{Real, larger};
+use crate::numbers::sine::{cosine_of_moderate, is_moderate, sine_of_moderate};
 use core::fmt;
 use core::ops::{
     Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign,
@@ -127,12 +128,14 @@ impl<R: Register> Real for Packed<R> {
         Self::from_lanes(|i| self.lane(i).exp())
     }
 
+    #[cfg_attr(optimised, inline(always))]
     fn sin(self) -> Self {
-        Self::from_lanes(|i| self.lane(i).sin())
+        Self(R::sine(self.0))
     }
 
+    #[cfg_attr(optimised, inline(always))]
     fn cos(self) -> Self {
-        Self::from_lanes(|i| self.lane(i).cos())
+        Self(R::cosine(self.0))
     }
 
     fn tanh(self) -> Self {
@@ -217,6 +220,24 @@ impl<R: Register> Lanes for Packed<R> {
     fn negative_multiply_add(self, a: Self, b: Self) -> Self {
         Self(R::negative_multiply_add(self.0, a.0, b.0))
     }
+}
+
+/// Returns sin x.
+#[cfg_attr(optimised, inline(always))]
+pub(super) fn sine<R: Register>(x: Packed<R>) -> Packed<R> {
+    if is_moderate(x) { sine_of_moderate(x) } else { lane_by_lane(x, Real::sin) }
+}
+
+/// Returns cos x.
+#[cfg_attr(optimised, inline(always))]
+pub(super) fn cosine<R: Register>(x: Packed<R>) -> Packed<R> {
+    if is_moderate(x) { cosine_of_moderate(x) } else { lane_by_lane(x, Real::cos) }
+}
+
+/// Applies a function to each lane.
+#[cold]
+fn lane_by_lane<R: Register>(x: Packed<R>, f: fn(f64) -> f64) -> Packed<R> {
+    Packed::from_lanes(|i| f(x.lane(i)))
 }
 
 /// Loads fewer values than there are lanes. It is a separate function so that the common case stays fast.

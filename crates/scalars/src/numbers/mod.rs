@@ -2,6 +2,7 @@
 
 pub(crate) mod mask;
 pub(crate) mod blocks;
+pub(crate) mod sine;
 pub(crate) mod stumpff;
 pub(crate) mod real;
 pub(crate) mod dual_number;

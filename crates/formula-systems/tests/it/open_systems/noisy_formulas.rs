@@ -128,3 +128,91 @@ fn a_spin_at_a_temperature_has_langevins_mean() {
     // Control: the mean of another temperature is far off.
     assert!((mean - (1.0 / (2.0 * x).tanh() - 0.5 / x)).abs() > 4.0 * error);
 }
+
+/// A torque −kΠ beside noise about e₃ alone: Π(t) = exp(−kt) R₃(W(t)) Π(0) on every path, in both rules.
+#[test]
+fn a_viscous_torque_shrinks_every_path_of_a_noise() {
+    for rule in [NoiseRule::Together, NoiseRule::Alternating] {
+        let torque = Some(vec!["-0.3*Pi1", "-0.3*Pi2", "-0.3*Pi3"]);
+        let noise = Some(vec![vec!["0", "0", "0.5"]]);
+        let braked = Texts { noise, torque, rule, ..Texts::default() };
+        let spin = open("so(3)", "0*Pi3", &braked, 0.1).unwrap();
+        assert!(!spin.keeps_casimirs());
+        for path in [0, 5] {
+            let end = after(
+                &spin.clone().on_path(path),
+                ("direct", "gauss-12"),
+                &[1.0, 0.0, 0.5],
+                0.1,
+                20,
+            );
+            let mut increments = [0.0; 2];
+            let count = if rule == NoiseRule::Together { 1 } else { 2 };
+            let paths = BrownianPaths::new(1, 0.1).unwrap();
+            paths.write_increments(path, 0.0, 20.0, &mut increments[..count]);
+            let (angle, size) = (-0.5 * increments[0], (-0.6_f64).exp());
+            let expected = [size * angle.cos(), size * angle.sin(), 0.5 * size];
+            assert!(distance(&end, &expected) < 1e-11, "{rule:?} {path}: {end:?} {expected:?}");
+        }
+        // Control: without the torque the path has another length.
+        let free = open("so(3)", "0*Pi3", &Texts { torque: None, ..braked }, 0.1).unwrap();
+        let end = after(&free, ("direct", "gauss-12"), &[1.0, 0.0, 0.5], 0.1, 20);
+        assert!(end.iter().map(|x| x * x).sum::<f64>() > 1.2);
+    }
+}
+
+/// The noise σ Σ_k Π × e_k ∘ dW_k has the drift ½σ² Σ_k (Π × e_k) × e_k = −σ²Π in the sense of Itô, so that with the torque −kΠ and
+/// a field along e₃ the mean is ⟨Π(t)⟩ = exp(−(k + σ²)t) R₃(Bt) Π(0). Of 4000 paths, to four standard errors. In a step s² = σ²h
+/// the mean shrinks by (1 + 2(1 − s²) exp(−s²/2))/3 instead of exp(−s²), which is 1e-3 at the end.
+#[test]
+fn a_viscous_torque_and_isotropic_noise_have_the_mean_of_itos_drift() {
+    let isotropic = vec![vec!["0.7", "0", "0"], vec!["0", "0.7", "0"], vec!["0", "0", "0.7"]];
+    let (torque, start) = (Some(vec!["-0.3*Pi1", "-0.3*Pi2", "-0.3*Pi3"]), [1.0, 0.0, 0.5]);
+    let texts = Texts { noise: Some(isotropic), torque, ..Texts::default() };
+    let spin = open("so(3)", "-2*Pi3", &texts, 0.05).unwrap();
+    let integrator = spin.tangent_integrator(&method(&spin, "direct", "gauss-4"), &start).unwrap();
+    let (count, mut sums, mut squares) = (4000, [0.0; 3], [0.0; 3]);
+    for path in 0..count {
+        let mut state = integrator.start(&AnyState::from_slice(&start)).unwrap();
+        spin.move_path(state.as_mut_slice(), path);
+        let end = integrator.after_from(state, 0.05, 20).unwrap().momentum;
+        let length: f64 = end.as_slice().iter().map(|x| x * x).sum();
+        // The torque alone changes the length, with the error (kh)⁵/720 of a half step of order 4, and rounding.
+        assert!((length.sqrt() - 1.25_f64.sqrt() * (-0.3_f64).exp()).abs() < 1e-11, "{length}");
+        for ((sum, square), x) in sums.iter_mut().zip(&mut squares).zip(end.as_slice()) {
+            (*sum, *square) = (*sum + x, *square + x * x);
+        }
+    }
+    let n = count as f64;
+    let (sine, cosine) = 2.0_f64.sin_cos();
+    for (i, turned) in [cosine, sine, 0.5].into_iter().enumerate() {
+        let (mean, expected) = (sums[i] / n, (-0.3_f64 - 0.49).exp() * turned);
+        let error = ((squares[i] / n - mean * mean) / n).sqrt();
+        assert!((mean - expected).abs() < 4.0 * error, "{i}: {mean} ± {error}, not {expected}");
+        // Control: neither the torque nor the noise alone has this mean.
+        for rate in [0.3_f64, 0.49] {
+            assert!(i != 1 || (mean - (-rate).exp() * turned).abs() > 8.0 * error, "{i} {rate}");
+        }
+    }
+}
+
+/// Beside a noise of the strength 0 a torque in time is that of the motion without noise, to the order 2 of the splitting.
+#[test]
+fn a_torque_in_time_beside_a_noise_has_the_order_of_the_splitting() {
+    let torque = Some(vec!["sin(3*t) - 0.2*Pi1", "-0.1*Pi2", "cos(t)*Pi1"]);
+    let start = [0.6, -0.5, 1.2];
+    let end = |noise: Option<Vec<Vec<&'static str>>>, step: f64, steps: u64| {
+        let texts = Texts { noise, torque: torque.clone(), ..Texts::default() };
+        after(
+            &open("so(3)", BODY, &texts, step).unwrap(),
+            ("direct", "gauss-8"),
+            &start,
+            step,
+            steps,
+        )
+    };
+    let exact = end(None, 0.01, 200);
+    let error = |step, steps| distance(&end(Some(vec![vec!["0"; 3]]), step, steps), &exact);
+    let (long, short) = (error(0.1, 20), error(0.05, 40));
+    assert!(short > 1e-6 && (3.8..4.2).contains(&(long / short)), "{long:e} {short:e}");
+}

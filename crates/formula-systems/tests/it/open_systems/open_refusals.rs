@@ -46,10 +46,6 @@ fn what_does_not_fit_is_refused_with_its_value() {
             Texts { friction: Some(0.1), product: Some(vec![1.0; 9]), ..none() },
             "not positive definite",
         ),
-        (
-            Texts { torque: Some(vec!["0"; 3]), noise: Some(vec![vec!["1"; 3]]), ..none() },
-            "a system with noise has no torque",
-        ),
     ] {
         let message = refusal("so(3)", texts);
         assert!(message.contains(part), "{message}");

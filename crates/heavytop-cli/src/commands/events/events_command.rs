@@ -10,9 +10,8 @@ use crate::runs::{Experiment, Schedule};
 use crate::supervision::warnings::warn;
 use crate::supervision::{Progress, Watch};
 use collective_integrators::diagnostics::RunAccuracy;
-use lie_poisson::Se3;
-use lie_poisson_formula_systems::FormulaSystemError;
-use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+use lie_poisson_formula_systems::SystemAlgebra;
+use lie_poisson_formulas::{Formula, Parameters};
 use lie_poisson_runs::EventFunctions;
 use std::io::Write;
 use std::ops::ControlFlow;
@@ -115,11 +114,11 @@ fn functions(config: &Config, settings: &EventsConfig) -> Result<EventFunctions,
         let (name, range) = ("events.terminal", "at least 1");
         return Err(Error::OutOfRange { name, range, value: 0.0 });
     }
-    let names = match config.system()? {
-        Some(table) => config.algebra_of(table)?.vocabulary(&table.parameters()?)?,
-        None => Vocabulary::of(&Se3::default(), &Parameters::new())
-            .map_err(FormulaSystemError::Parameters)?,
+    let (algebra, parameters) = match config.system()? {
+        Some(table) => (config.algebra_of(table)?, table.parameters()?),
+        None => (SystemAlgebra::named("se(3)")?, Parameters::new()),
     };
+    let names = config.named_inputs()?.vocabulary_of_functions(&algebra, &parameters)?;
     let read = |(number, text): (usize, &String)| {
         let failed = |source| Error::EventFunction { number, source: Box::new(source) };
         Formula::new(text, &names).map_err(failed)

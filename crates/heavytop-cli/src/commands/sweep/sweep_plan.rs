@@ -3,6 +3,7 @@
 use super::families::array_family::ArrayFamily;
 use super::families::course::Course;
 use super::families::family::Family;
+use super::families::open::open_family::OpenFamily;
 use super::families::system_family::SystemFamily;
 use super::families::top_family::TopFamily;
 use crate::configuration::{Column, Config, Integration, Spread, SweepAxis, SweepConfig};
@@ -45,7 +46,6 @@ impl Plan {
     /// # Errors
     /// If the sweep makes no sense for any member.
     pub fn new(config: &Config) -> Result<Self, Error> {
-        config.require_closed()?;
         let system = config.system()?;
         let mut sweep = config.sweep.clone().unwrap_or_default();
         // The numbers of a system have names of its own, of which none varies by default.
@@ -57,7 +57,12 @@ impl Plan {
         let (family, integration): (Arc<dyn Family>, _) = match system {
             Some(table) => match table.array_system()? {
                 Some(system) => {
+                    config.require_closed()?;
                     let (family, integration) = ArrayFamily::new((table, system), config, &axes)?;
+                    (Arc::new(family), integration)
+                }
+                None if config.is_open()? => {
+                    let (family, integration) = OpenFamily::new(config, &axes)?;
                     (Arc::new(family), integration)
                 }
                 None => {
@@ -65,6 +70,10 @@ impl Plan {
                     (Arc::new(family), integration)
                 }
             },
+            None if config.is_open()? => {
+                let (family, integration) = OpenFamily::new(config, &axes)?;
+                (Arc::new(family), integration)
+            }
             None => {
                 let (family, integration) = TopFamily::new(config, &axes)?;
                 (Arc::new(family), integration)

@@ -2,6 +2,7 @@
 
 mod element;
 mod input_config;
+mod input_file;
 mod damping_config;
 mod noise_config;
 mod open_tables;
@@ -12,3 +13,4 @@ pub use damping_config::{DampingConfig, DampingForm, InnerProductConfig};
 pub use element::{Element, Formulas};
 pub use input_config::InputConfig;
 pub use noise_config::{NoiseConfig, Shell, ShellConfig};
+pub(crate) use open_run::{OpenModel, OpenStart};

@@ -1,10 +1,12 @@
 //! What the tables of open systems say.
 
 use super::element::{Element, parts};
+use super::input_file::failed;
 use crate::configuration::Config;
 use crate::errors::{Error, SystemTableError};
-use lie_poisson_formula_systems::{NamedInputs, OpenNames, OpenTerms};
+use lie_poisson_formula_systems::{NamedInputs, OpenNames, OpenSystemError, OpenTerms};
 use lie_poisson_formulas::Formula;
+use std::path::{Path, PathBuf};
 
 impl Config {
     /// Returns the name of a table of open systems that the configuration has.
@@ -52,13 +54,49 @@ impl Config {
     ///
     /// # Errors
     /// If one is no table.
-    pub(super) fn named_inputs(&self) -> Result<NamedInputs, Error> {
+    pub(crate) fn named_inputs(&self) -> Result<NamedInputs, Error> {
         let inputs = self
             .inputs
             .iter()
             .flatten()
             .map(|(name, input)| Ok((name.clone(), input.table(name)?)));
         Ok(NamedInputs::new(inputs.collect::<Result<_, Error>>()?))
+    }
+
+    /// Makes the paths of the files of `[inputs]`, which are relative to a folder, absolute ones, notes the checksums of the
+    /// files, and returns the paths.
+    ///
+    /// # Errors
+    /// If a file cannot be read.
+    pub(crate) fn find_input_files(&mut self, folder: &Path) -> Result<Vec<PathBuf>, Error> {
+        let inputs = self.inputs.iter_mut().flatten();
+        let paths = inputs.map(|(name, input)| input.find_file(name, folder));
+        Ok(paths.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
+    }
+
+    /// Replaces the files of `[inputs]` by the times and values in them, for many runs with the same tables.
+    ///
+    /// # Errors
+    /// If a file cannot be read, or has no such table.
+    pub(crate) fn read_inputs(&mut self) -> Result<(), Error> {
+        self.inputs.iter_mut().flatten().try_for_each(|(name, input)| input.read_file(name))
+    }
+
+    /// Checks that the inputs reach from 0 to the end of a run.
+    ///
+    /// # Errors
+    /// If one does not; the error names its file, if it has one.
+    pub(crate) fn require_inputs(&self, inputs: &NamedInputs, end: f64) -> Result<(), Error> {
+        inputs.require_until(end).map_err(|error| match &error {
+            OpenSystemError::Input { name, reason } => {
+                let input = self.inputs.as_ref().and_then(|inputs| inputs.get(name));
+                match input.and_then(|input| input.file.as_ref()) {
+                    Some(file) => failed(name, Path::new(file), (*reason).into()),
+                    None => error.into(),
+                }
+            }
+            _ => error.into(),
+        })
     }
 
     /// Returns what makes a system on an algebra an open one, with its Hamiltonian if that depends on the time.

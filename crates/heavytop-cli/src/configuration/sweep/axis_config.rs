@@ -99,7 +99,7 @@ impl AxisConfig {
     fn value(&self, quantity: &Quantity) -> Result<f64, String> {
         let angle = match &self.parameter {
             Parameter::Top(parameter) => parameter.angle(),
-            Parameter::System(_) => None,
+            Parameter::System(_) | Parameter::Force(_) => None,
         };
         match (angle, quantity) {
             (Some(_), Quantity::Number(value)) if !value.is_finite() => Ok(*value),

@@ -2,6 +2,7 @@
 
 mod top_parameter;
 mod system_parameter;
+mod force_parameter;
 mod parameter;
 mod column;
 mod observable;
@@ -11,6 +12,7 @@ mod sweep_config;
 pub use axis_config::AxisConfig;
 pub(crate) use axis_config::{Spread, SweepAxis};
 pub use column::Column;
+pub use force_parameter::ForceParameter;
 pub use observable::Observable;
 pub use parameter::Parameter;
 pub use sweep_config::SweepConfig;

@@ -1,5 +1,6 @@
 //! The numbers that an axis of a sweep may vary.
 
+use super::force_parameter::ForceParameter;
 use super::system_parameter::SystemParameter;
 use super::top_parameter::TopParameter;
 use serde::{Deserialize, Serialize};
@@ -12,6 +13,8 @@ pub enum Parameter {
     Top(TopParameter),
     /// A number of `[system]`.
     System(SystemParameter),
+    /// A number of `[damping]`, `[noise]` or `[inputs]`.
+    Force(ForceParameter),
 }
 
 impl Parameter {
@@ -21,6 +24,16 @@ impl Parameter {
         match self {
             Self::Top(parameter) => parameter.name().into(),
             Self::System(parameter) => parameter.to_string(),
+            Self::Force(parameter) => parameter.to_string(),
+        }
+    }
+
+    /// Returns the words for what has such numbers.
+    pub(crate) const fn table(&self) -> &'static str {
+        match self {
+            Self::Top(_) => "a top",
+            Self::System(_) => "[system]",
+            Self::Force(_) => "[damping], [noise] or [inputs]",
         }
     }
 }
@@ -35,6 +48,9 @@ impl TryFrom<String> for Parameter {
     type Error = String;
 
     fn try_from(name: String) -> Result<Self, String> {
+        if let Some(parameter) = ForceParameter::of_path(&name) {
+            return parameter.map(Self::Force);
+        }
         match name.strip_prefix("system.") {
             Some(path) => SystemParameter::of_path(path).map(Self::System),
             None => TopParameter::by_name(&name).map(Self::Top),

@@ -148,19 +148,28 @@ impl SystemConfig {
     }
 
     /// Returns the system of the table as it is at t = 0, the names of its formulas, and the Hamiltonian if it depends on the
-    /// time or on an input.
+    /// time or on an input. The Casimirs of an algebra that is the same as that of `near` are not looked for again.
     ///
     /// # Errors
     /// If there is no such system.
     pub(crate) fn open_base(
         &self,
         inputs: &NamedInputs,
+        near: Option<&FormulaSystem>,
     ) -> Result<(FormulaSystem, OpenNames, Option<Formula>), Error> {
         let parameters = self.parameters()?;
         if self.system_kind()?.is_some() {
-            let base = self.formula_system()?;
+            let base = match near {
+                Some(near) => self.formula_system_near(near)?,
+                None => self.formula_system()?,
+            };
             let names = OpenNames::new(base.algebra().clone(), inputs, parameters)?;
             return Ok((base, names, None));
+        }
+        if let Some(near) = near.map_or(Ok(None), |near| self.near_if_same(near, &parameters))? {
+            let names = OpenNames::new(near.algebra().clone(), inputs, parameters)?;
+            let (base, hamiltonian) = names.system_near(near, self.hamiltonian()?)?;
+            return Ok((base, names, hamiltonian));
         }
         let names = OpenNames::new(self.algebra(&parameters)?, inputs, parameters)?;
         let (base, hamiltonian) = names.system(self.hamiltonian()?)?;
@@ -224,12 +233,21 @@ impl SystemConfig {
         if let Some(kind) = self.system_kind()? {
             return Ok(kind.system_near(base, &parameters)?);
         }
-        // Parameters of an algebra are in its brackets.
-        let is_same = self.brackets.is_empty() || self.algebra(&parameters)? == *base.algebra();
-        match is_same {
-            true => Ok(base.with_hamiltonian(self.hamiltonian()?, &parameters)?),
-            false => self.formula_system(),
+        match self.near_if_same(base, &parameters)? {
+            Some(base) => Ok(base.with_hamiltonian(self.hamiltonian()?, &parameters)?),
+            None => self.formula_system(),
         }
+    }
+
+    /// Returns a system of the table with other parameters, if its algebra is that of these parameters.
+    fn near_if_same<'a>(
+        &self,
+        base: &'a FormulaSystem,
+        parameters: &Parameters,
+    ) -> Result<Option<&'a FormulaSystem>, Error> {
+        // Parameters of an algebra are in its brackets.
+        let is_same = self.brackets.is_empty() || self.algebra(parameters)? == *base.algebra();
+        Ok(is_same.then_some(base))
     }
 
     /// Returns whether the brackets contain one of these parameters.

@@ -39,7 +39,6 @@ pub(super) fn keys_of_open(error: &OpenSystemError) -> Vec<(String, &'static str
         }
         E::Strength { .. } => key("noise.strength", "write 0 or more"),
         E::TemperatureAlone => key("noise.temperature", "add [damping], or write strength"),
-        E::NoiseAndTorque => key("torque", "remove the table, or [noise]"),
         _ => Vec::new(),
     }
 }

@@ -41,6 +41,17 @@ pub enum SweepError {
         /// The names of the observables of systems.
         has: Vec<&'static str>,
     },
+    /// An observable of motions without forces is asked of one with forces.
+    #[error(
+        "the observable {observable} is of motions without forces; with [inputs], [drive], [damping], [noise], [torque] or t \
+         in the Hamiltonian there are {}", has.join(", ")
+    )]
+    OfClosed {
+        /// The name of the observable.
+        observable: &'static str,
+        /// The names of the observables of motions with forces.
+        has: Vec<&'static str>,
+    },
     /// An indicator of chaos is asked of a collective method whose steps do not descend to the dual of the algebra.
     #[error(
         "the observable {observable} has no meaning for the formulation {formulation} here: by the Clebsch map of this \

@@ -80,7 +80,7 @@ pub enum SystemTableError {
     },
     /// A command that follows closed systems alone got a table of open ones.
     #[error(
-        "[{table}] is for tops and systems by formula in simulate, events and ensemble; a spin-lattice has [damping] and \
+        "[{table}] is for tops and systems by formula in simulate, events, sweep and ensemble; a spin-lattice has [damping] and \
          [noise], and a sphere-fluid these and [torque], in simulate and ensemble; other commands, and other systems of \
          arrays, have no forces"
     )]
@@ -109,6 +109,12 @@ pub enum SystemTableError {
         table: String,
         /// The key, and what it may be.
         key: &'static str,
+    },
+    /// The table of an input is given twice.
+    #[error("[inputs.{input}] has file, or times and values, not both")]
+    TwoTables {
+        /// The name of the input.
+        input: String,
     },
     /// There is no noise in `[noise]`, or more than one.
     #[error(
@@ -151,6 +157,7 @@ impl SystemTableError {
             | Self::OtherKey { .. }
             | Self::NoForces { .. }
             | Self::MissingKey { .. }
+            | Self::TwoTables { .. }
             | Self::OneNoise
             | Self::ColumnOfClosed { .. }
             | Self::OpenRod
@@ -202,6 +209,9 @@ impl SystemTableError {
             Self::OtherKey { key: path, .. } => key(path, "leave it out"),
             Self::NoForces { table } => key(table, "write formulas, or remove the table"),
             Self::MissingKey { table, .. } => key(table, "add the key"),
+            Self::TwoTables { input } => {
+                vec![(format!("inputs.{input}.file"), "leave it out, or times and values")]
+            }
             Self::OneNoise => key("noise", "write one of them"),
             Self::ColumnOfClosed { .. } => key("output.columns", "leave it out"),
             Self::OpenRod => key("body.inertia", ""),

@@ -1,14 +1,15 @@
 //! The long texts of `--help` of the commands that follow many starts or tops.
 
 pub(crate) const EVENTS: &str = "\
-Find when functions of the state pass zero along a run, of a top or of another system.
+Find when functions of the state and the time pass zero along a run, of a top or of another system.
 
 The run is that of simulate. An event is where a function goes to zero and changes its sign, found
 to the accuracy of the integrator. A touch is none; neither are a jump, a pole, and a start on zero.
 A function that is an atan2 is an angle: it is zero once per turn. A function is evaluated at the
 steps: one that goes to zero and back within a step may be missed, so take a step that resolves it.
 The names in a formula of a top are Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3 and the vectors Pi, Gamma:
-the inclination θ of e3 is acos(Gamma3), and Omega1 is Pi1 divided by the moment.
+the inclination θ of e3 is acos(Gamma3), and Omega1 is Pi1 divided by the moment. The name t is the
+time, and [inputs] have theirs.
 
 Written: a table with the columns event, the number of the function, from 1, and those of simulate,
 a row for each event, in the order in which they happen. The closing line says how many there are
@@ -17,7 +18,7 @@ of each function, and how far apart; --json also tells the first and the last.";
 pub(crate) const EVENTS_EXAMPLES: &str = "\
 Configuration: as of simulate, and
   [events]
-  functions = [\"Gamma3 - 0.5\"]      # formulas in the coordinates; of a system also its parameters
+  functions = [\"Gamma3 - 0.5\"]      # formulas in coordinates and t; of a system also parameters
   direction = \"both\"               # up, down or both: the sign changes that count, along the run
   terminal = 3                       # the run ends with the third event of a function; without it,
                                      # with the last step
@@ -237,6 +238,11 @@ run if an axis varies a parameter of the brackets, and empty where a Casimir is 
 relative-drift, with relative_drift_h, relative_drift_c1, ...; lyapunov, megno and sali. What
 [integrator] leaves out: reduced where there is one, or as for simulate; gauss-8, step 0.1 s, end
 100 s, both shortened as for tops.
+
+With forces, as of simulate, an axis may also vary damping.friction, noise.temperature,
+noise.strength or a value of an input, inputs.u.values[2]. The observables are final-state and
+invariant-drift, which tells the change of what the motion does not keep. All members are on the
+same path of the noise; heavytop ensemble averages over paths. The formulation is as for simulate.
 
 Examples:
   heavytop sweep --out sweep                      # a small map about the paper's top

@@ -187,11 +187,13 @@ Kinds, and their parameters (* if they may be left out):
 A kind without parameters is refused with their meaning and units, and heavytop init --kind NAME
 writes a configuration to begin with.
 
-Forces, for simulate, events and ensemble, beside [system] or [body]; t in a formula is the time:
+Forces, for simulate, events, sweep, ensemble, beside [system] or [body]; t in formulas is the time:
   [inputs.u]                         # u(t) for formulas, by a table
   times = [0, 10, 20]                # s; from the start of the run to its end
   values = [0, 1, 0]
   interpolation = \"linear\"         # or constant, each value until the next time; or cubic
+  # file = \"u.csv\" instead of times and values: a table with the columns time = \"t\" and
+  # value = \"u\", or, if they are left out, the first two; relative to the configuration
   [drive]                            # a control, added to dh: it keeps the Casimirs
   Pi = [0, 0, \"u*cos(2*t)\"]        # formulas by coordinates; what is left out is 0
   [damping]                          # a double bracket: it lowers h and keeps the Casimirs
@@ -208,7 +210,7 @@ Forces, for simulate, events and ensemble, beside [system] or [body]; t in a for
   # interval (s): the times that determine a path; the step, if it is left out
   [torque]                           # a rate of the coordinates: it changes the Casimirs, too, and
   Pi = [0, 0, \"-0.1*Pi3\"]          # the formulation is direct. Of a body for Pi alone, in N m;
-                                     # I1, I2, I3 are its moments. [noise] excludes it
+                                     # I1, I2, I3 are its moments
 Beside a spin-lattice, for simulate and ensemble, where the method is direct, implicit-midpoint:
   [damping]                          # it lowers h and keeps every |s|
   friction = 0.1                     # theta, or Gilbert's alpha

@@ -4,6 +4,7 @@ mod angles;
 mod assignments;
 mod described_bodies;
 mod initial;
+mod inputs_in_files;
 mod presets;
 mod quotations;
 mod refusals;

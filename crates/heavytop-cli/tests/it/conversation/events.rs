@@ -106,6 +106,60 @@ fn systems_have_events_of_their_coordinates_and_parameters() {
 }
 
 #[test]
+fn functions_of_the_time_and_of_inputs_have_their_zeros_in_systems_and_tops() {
+    let folder = Folder::new();
+    let half = std::f64::consts::FRAC_PI_2;
+    let odd: Vec<f64> = [1.0, 3.0, 5.0].map(|k| k * half).to_vec();
+    let times = |file: &str, function: &str| -> Vec<f64> {
+        let set = format!("events.functions=[\"{function}\"]");
+        let run = folder.heavytop(&["events", file, "--set", &set, "--out", "-", "--quiet"]);
+        assert_eq!(run.code(), 0, "{}", run.stderr());
+        rows(&run.stdout()).iter().map(|row| row[1]).collect()
+    };
+    let agree = |found: &[f64], expected: &[f64], most: f64| {
+        let near = found.iter().zip(expected).all(|(x, y)| (x - y).abs() < most);
+        assert!(near && found.len() == expected.len(), "{found:?} {expected:?}");
+    };
+    let closed = "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi3'\ninitial = { Pi = [1, 0, 2] }\n\
+                  [integrator]\nstep = 0.1\nend = 10\n[events]\n";
+    let driven = "[inputs.u]\ntimes = [0, 10]\nvalues = [-1, 1]\ninterpolation = 'linear'\n\
+                  [drive]\nPi = [0, 0, 'u']\n";
+    folder.write("closed.toml", closed);
+    folder.write("open.toml", &format!("{closed}{driven}"));
+    folder.write("in_time.toml", &closed.replace("'Pi3'", "'cos(t)*Pi3'"));
+    folder.write("top.toml", "[integrator]\nstep = 0.05\nend = 10\n[events]\n");
+    let torque = "[torque]\nPi = ['-0.1*Pi1', 0, 0]\n";
+    folder
+        .write("braked.toml", &format!("[integrator]\nstep = 0.05\nend = 10\n[events]\n{torque}"));
+    for file in ["closed.toml", "open.toml", "in_time.toml", "top.toml", "braked.toml"] {
+        // No integrator has a part in cos t: what is left is rounding.
+        agree(&times(file, "cos(t)"), &odd, 1e-14);
+    }
+    // An input, and a function of both the state and the time: Π₁ = cos t here.
+    agree(&times("open.toml", "u - 0.25"), &[6.25], 1e-13);
+    let both = times("closed.toml", "Pi1 - cos(t + 1)");
+    // cos t = cos(t + 1) at t = −½ + kπ
+    let expected = [1.0, 2.0, 3.0].map(|k| k * 2.0 * half - 0.5);
+    agree(&both, &expected, 1e-11);
+    // Control: the zeros of another function of the time are others.
+    assert!(times("closed.toml", "cos(2*t)").len() == 6);
+    // A system whose own t is something else keeps it.
+    folder.write("own.toml", &closed.replace("'Pi3'", "'t*Pi3'\nparameters = { t = 1 }"));
+    // cos t = ½ at ±π/3 + 2kπ
+    let sixth = half / 1.5;
+    agree(&times("own.toml", "Pi1 - t/2"), &[1.0, 5.0, 7.0].map(|k| k * sixth), 1e-11);
+    let refused = folder.heavytop(&[
+        "events",
+        "closed.toml",
+        "--set",
+        "events.functions=['u']",
+        "--out",
+        "u.csv",
+    ]);
+    assert!(refused.code() == 2 && refused.stderr().contains("u"), "{}", refused.stderr());
+}
+
+#[test]
 fn what_has_no_events_is_refused() {
     let folder = Folder::new();
     folder.write("notes.csv", "time,temperature\n");

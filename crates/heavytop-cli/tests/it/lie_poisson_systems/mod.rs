@@ -3,6 +3,7 @@
 mod fluids_with_forces;
 mod kinds_of_systems;
 mod system_sections;
+mod sweeps_with_forces;
 mod system_sweeps;
 mod systems;
 mod systems_with_forces;

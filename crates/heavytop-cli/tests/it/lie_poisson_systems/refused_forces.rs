@@ -47,11 +47,6 @@ fn errors_name_the_value_the_bound_and_the_line() {
         (SPIN, "[torque]\nPi = 'Pi1'\n", &["3 formulas"]),
         (
             SPIN,
-            "[torque]\nPi = [1, 0, 0]\n[noise]\nstrength = 1\n",
-            &["a system with noise has no torque"],
-        ),
-        (
-            SPIN,
             "[inputs.u]\ntimes = [0, 1]\nvalues = [0, 1]\ninterpolation = 'linear'\n[drive]\nPi = [0, 0, 'u']\n",
             &["from 0 to 1", "from 0 to 10"],
         ),
@@ -108,10 +103,8 @@ fn commands_of_closed_systems_say_which_table_they_do_not_take() {
     for arguments in [
         ["compare", "top.toml", "--out", "a"],
         ["section", "top.toml", "--out", "a"],
-        ["sweep", "top.toml", "--out", "a"],
         ["animate", "top.toml", "--out", "a.html"],
         ["section", "spin.toml", "--out", "a"],
-        ["sweep", "spin.toml", "--out", "a"],
     ] {
         let done = folder.heavytop(&arguments);
         let table = if arguments[1] == "top.toml" { "[torque]" } else { "[damping]" };

@@ -161,7 +161,7 @@ fn an_interrupted_section_of_a_system_continues_byte_for_byte() {
     let folder = Folder::new();
     let mut config: Config = toml::from_str(BODY).unwrap();
     // A tile has some 256 returns.
-    config.section.as_mut().unwrap().crossings = 200;
+    config.section.as_mut().unwrap().crossings = 60;
     let run = |name: &str, options: &TileOptions<'_>| section(&config, &folder.path(name), options);
     let whole = run("whole", &TileOptions::default()).unwrap();
     let stop = AtomicBool::new(true);

@@ -21,10 +21,16 @@ use std::process::Command;
 
 pub fn errors() -> BTreeSet<String> {
     let folder = Folder::new();
-    [of_files(&folder), of_arrays(&folder), of_numbers(&folder), of_others(&folder)]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        of_files(&folder),
+        of_arrays(&folder),
+        of_inputs(&folder),
+        of_numbers(&folder),
+        of_others(&folder),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 fn config(text: &str) -> Config {
@@ -98,6 +104,36 @@ fn of_arrays(folder: &Folder) -> BTreeSet<String> {
         ),
         refused("SystemTableError::TwoStarts", from("initial.tilt = 1").run()),
         refused("SystemTableError::OtherStart", from("initial_checksum = 1").run()),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// Tables of inputs in files.
+fn of_inputs(folder: &Folder) -> BTreeSet<String> {
+    let with = |text: &str, keys: &str| {
+        folder.write("u.csv", text);
+        let file = folder.path("u.csv");
+        let system = "[system]\nalgebra = 'so(3)'\nhamiltonian = 'u*Pi3'\ninitial.Pi = [1, 0, 0]\n";
+        let input = format!("[inputs.u]\nfile = '{}'\ninterpolation = 'linear'\n", file.display());
+        config(&format!("{system}[integrator]\nend = 1\nstep = 0.1\n{input}{keys}")).run()
+    };
+    let missing = config(
+        "[system]\nalgebra = 'so(3)'\nhamiltonian = 'u*Pi3'\ninitial.Pi = [1, 0, 0]\n\
+         [inputs.u]\nfile = 'missing.csv'\ninterpolation = 'linear'",
+    );
+    assert!(with("t,u\n0,0\n1,1\n", "").is_ok());
+    [
+        refused("Error::InputFile", missing.run()),
+        refused("InputFileError::Read", missing.run()),
+        refused("InputFileError::Changed", with("t,u\n0,0\n1,1\n", "checksum = 1")),
+        refused("InputFileError::NoColumn", with("t,u\n0,0\n1,1\n", "value = 'v'")),
+        refused("InputFileError::NoCell", with("t,u\n0,0\n1\n", "")),
+        refused("InputFileError::NoNumber", with("t,u\n0,0\n1,x\n", "")),
+        refused("InputFileError::NotIncreasing", with("t,u\n0,0\n1,1\n1,2\n", "")),
+        refused("InputFileError::Table", with("t,u\n0,0\n0.5,1\n", "")),
+        refused("SystemTableError::TwoTables", with("t,u\n0,0\n1,1\n", "times = [0]")),
     ]
     .into_iter()
     .flatten()

@@ -9,16 +9,19 @@ mod refused_checkpoints;
 mod refused_configurations;
 
 use heavytop_cli::Error;
-use heavytop_cli::errors::{CheckpointError, FieldFileError, SweepError, SystemTableError};
+use heavytop_cli::errors::{
+    CheckpointError, FieldFileError, InputFileError, SweepError, SystemTableError,
+};
 use std::collections::BTreeSet;
 use std::error::Error as AnyError;
 use std::fmt::Debug;
 
 /// The sources of the errors, with their types.
-const SOURCES: [(&str, &str); 5] = [
+const SOURCES: [(&str, &str); 6] = [
     ("Error", include_str!("../../../src/errors/error.rs")),
     ("CheckpointError", include_str!("../../../src/errors/parts/checkpoint_error.rs")),
     ("FieldFileError", include_str!("../../../src/errors/parts/field_file_error.rs")),
+    ("InputFileError", include_str!("../../../src/errors/parts/input_file_error.rs")),
     ("SweepError", include_str!("../../../src/errors/parts/sweep_error.rs")),
     ("SystemTableError", include_str!("../../../src/errors/parts/system_table_error.rs")),
 ];
@@ -78,6 +81,7 @@ fn variants(error: &(dyn AnyError + 'static)) -> BTreeSet<String> {
             named::<Error>("Error", error),
             named::<CheckpointError>("CheckpointError", error),
             named::<FieldFileError>("FieldFileError", error),
+            named::<InputFileError>("InputFileError", error),
             named::<SweepError>("SweepError", error),
             named::<SystemTableError>("SystemTableError", error),
         ]

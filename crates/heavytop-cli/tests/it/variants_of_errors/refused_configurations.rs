@@ -118,9 +118,14 @@ const EVENTS: [(&str, &str, &str); 3] = [
 const BODY: &str = "[system]\nalgebra = 'so(3)'\nhamiltonian = 'Pi3^2'\ninitial.Pi = [1, 0, 1]\n";
 
 /// Sweeps of tops.
-const SWEEPS: [(&str, &str); 14] = [
+const SWEEPS: [(&str, &str); 15] = [
     ("SweepError::NoAxes", "axes = []"),
     ("SweepError::NoObservables", "observables = []"),
+    (
+        "SweepError::OfClosed",
+        "observables = ['megno']\naxes = [{ parameter = 'body.mass', from = 1, to = 2, count = 2 }]\n\
+         [torque]\nPi = [1, 0, 0]",
+    ),
     ("SweepError::Twice", "observables = ['megno', 'megno']"),
     ("SweepError::Axis", "axes = [{ parameter = 'body.mass', from = 1 }]"),
     (

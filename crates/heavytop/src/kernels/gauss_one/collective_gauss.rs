@@ -9,7 +9,7 @@ use crate::attitude::step_rotation::{TurnedStep, Turning, turned_by_spinors};
 use crate::paper::spinor_realisation::{SpinorPoint, SpinorRealisation};
 use crate::tops::top::HeavyTop;
 use collective_integrators::{
-    Collective, CollectiveWorkspace, Compensated, Integrator, RungeKutta, SchemeError,
+    Collective, CollectiveWorkspace, Compensated, Integrator, RungeKutta, SchemeError, StageSolver,
     StageWorkspace, Start, Step, StepError,
 };
 use lie_poisson::{InstructionSet, MissingInstructions, Pair, Se3Dual, State, Width, dispatch};
@@ -79,6 +79,7 @@ pub struct CollectiveGauss {
     general: General,
     coefficients: GaussCoefficients,
     instructions: InstructionSet,
+    tolerance: f64,
 }
 
 /// The workspace of [`CollectiveGauss`].
@@ -112,7 +113,23 @@ impl CollectiveGauss {
         }
         let coefficients = GaussCoefficients::new(gauss.tableau(), &top);
         let general = Collective::new(gauss, SpinorRealisation, top).compensated();
-        Ok(Self { general, coefficients, instructions: fastest(stages) })
+        Ok(Self { general, coefficients, instructions: fastest(stages), tolerance: 0.0 })
+    }
+
+    /// Lets the iteration end where a sweep changes the stages by at most this part of the point, h |δk| ≤ τ |z|. At 0, the
+    /// default, and at numbers that are not positive, it goes on to the round-off floor.
+    ///
+    /// What is left of a step has the same sign in the next one, so that the Casimirs drift. Over 40 000 steps of 1/4 of
+    /// Kovalevskaya's top with eight stages, τ = 5e-14 saves a quarter of the time, and they drift by 1e-12 instead of 1e-14.
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        let tolerance = if tolerance > 0.0 { tolerance } else { 0.0 };
+        let collective = self.general.base();
+        let solver = StageSolver { tolerance, ..StageSolver::default() };
+        let scheme = collective.scheme().clone().with_solver(solver);
+        let top = collective.system().hamiltonian;
+        let general = Collective::new(scheme, SpinorRealisation, top).compensated();
+        Self { general, tolerance, ..self }
     }
 
     /// Replaces the instruction set. Steps on different sets differ by round-off.
@@ -145,7 +162,8 @@ impl CollectiveGauss {
         start: &CompensatedPoint,
         history: &mut StageHistory,
     ) -> Option<(CompensatedPoint, usize)> {
-        let task = Attempt::<S> { coefficients: &self.coefficients, step, start, history };
+        let (coefficients, tolerance) = (&self.coefficients, self.tolerance);
+        let task = Attempt::<S> { coefficients, step, tolerance, start, history };
         dispatch(task, self.instructions, Width::Register).ok().flatten()
     }
 

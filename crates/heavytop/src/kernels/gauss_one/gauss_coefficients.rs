@@ -26,6 +26,8 @@ pub(super) struct GaussCoefficients {
     pub(super) columns: [Row; WIDTH],
     /// The columns of the matrix that maps the ℓ of the last step, extrapolated, to Σ_j μ_ij ℓ_j.
     pub(super) guess: [Row; WIDTH],
+    /// The weights b_j.
+    pub(super) weights: Row,
     /// The factors b_j / (4 I_k) that map 2Π_k to (b_j/2) Ω_k.
     pub(super) turn: [Row; 3],
     /// The weighted forces 2 b_j m g l c_k.
@@ -59,6 +61,7 @@ impl GaussCoefficients {
             stages: s,
             columns: columns(s, ratio),
             guess: columns(s, guess),
+            weights: weighted(1.0),
             turn: from_fn(|k| weighted(0.25 * inverse_inertia[k])),
             pull: from_fn(|k| weighted(2.0 * force[k])),
             reach: force.norm() / inverse_inertia.amax(),

@@ -36,6 +36,8 @@ const ROUND_OFF: f64 = 256.0 * f64::EPSILON;
 pub(super) struct Attempt<'a, const S: usize> {
     pub(super) coefficients: &'a GaussCoefficients,
     pub(super) step: f64,
+    /// The change of a point, relative to the point, with which the iteration may end before the round-off floor.
+    pub(super) tolerance: f64,
     pub(super) start: &'a CompensatedPoint,
     pub(super) history: &'a mut StageHistory,
 }
@@ -45,10 +47,11 @@ impl<const S: usize> LaneTask for Attempt<'_, S> {
 
     #[cfg_attr(optimised, inline(always))]
     fn run<T: Lanes>(self) -> Option<(CompensatedPoint, usize)> {
-        let Self { coefficients, step, start, history } = self;
+        let Self { coefficients, step, tolerance, start, history } = self;
         let expected = history.recall(start, step);
         let (last, stages) = history.stages();
-        let equations = StageEquations { coefficients, step, start, products: start.products() };
+        let products = start.products();
+        let equations = StageEquations { coefficients, step, tolerance, start, products };
         let sweeps = equations.solve::<T, S>(last, stages, expected)?;
         let mut end = start.plus_sum(stages);
         let slid = if end.has_drifted(coefficients.reach) { end.slide() } else { 0.0 };
@@ -62,6 +65,7 @@ impl<const S: usize> LaneTask for Attempt<'_, S> {
 struct StageEquations<'a> {
     coefficients: &'a GaussCoefficients,
     step: f64,
+    tolerance: f64,
     start: &'a CompensatedPoint,
     /// The product ‖χ‖‖ψ‖ at the start.
     products: f64,
@@ -103,7 +107,8 @@ impl StageEquations<'_> {
                     let change = distance(&turn, &turns[block]);
                     let size = self.size(&turn, block);
                     let grows = changes[block].at_most(change);
-                    let now = is_round_off(change, size, grows, grew[block]);
+                    let floor = round_off(size, grows, grew[block]);
+                    let now = change.at_most(floor.maximum(self.accepted(block)));
                     converged[block] = converged[block].or(now);
                     all = all.and(converged[block]);
                     changes[block] = change;
@@ -179,6 +184,13 @@ impl StageEquations<'_> {
         least + turn[0].magnitude() + turn[1].magnitude() + turn[2].magnitude()
     }
 
+    /// Returns the largest change of (h b/2) Ω that the tolerance accepts: it moves the stage derivative h b Ẋ by b times that
+    /// part of the point.
+    #[cfg_attr(optimised, inline(always))]
+    fn accepted<T: Lanes>(self, block: usize) -> T {
+        self.coefficients.weights.load::<T>(block) * T::from_f64(self.tolerance)
+    }
+
     #[cfg_attr(optimised, inline(always))]
     fn times_step<T: Lanes>(self, rows: &[Row; 3], block: usize) -> [T; 3] {
         let (h, [a, b, c]) = (T::from_f64(self.step), rows);
@@ -199,10 +211,10 @@ fn distance<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
     (a[0] - b[0]).magnitude() + (a[1] - b[1]).magnitude() + (a[2] - b[2]).magnitude()
 }
 
-/// Returns where a change is round-off, lane by lane. The masks say whether it, and the change before it, were not
+/// Returns the largest change that is round-off, lane by lane. The masks say whether it, and the change before it, were not
 /// smaller than their predecessors.
 #[cfg_attr(optimised, inline(always))]
-fn is_round_off<T: Lanes>(change: T, size: T, grows: T::Mask, grew: T::Mask) -> T::Mask {
+fn round_off<T: Lanes>(size: T, grows: T::Mask, grew: T::Mask) -> T {
     let [few, close, floor] = [FEW_ROUNDINGS, CLOSE, ROUND_OFF].map(T::from_f64);
-    change.at_most(size * T::select(grows, T::select(grew, floor, close), few))
+    size * T::select(grows, T::select(grew, floor, close), few)
 }

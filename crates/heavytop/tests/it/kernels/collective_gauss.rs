@@ -1,7 +1,8 @@
 //! The kernel of collective Gauss methods against the general integrator, on every instruction set.
 
 use collective_integrators::{
-    Collective, Direction, Events, Integrator, RungeKutta, SchemeError, Start, StepError,
+    Collective, Direction, Events, Integrator, RungeKutta, SchemeError, StageSolver, Start,
+    StepError,
 };
 use heavytop::{Body, CollectiveGauss, HeavyTop, Invariant, SpinorRealisation, WithAttitude};
 use lie_poisson::{InstructionSet, Se3Dual, State, Vector, larger};
@@ -172,6 +173,50 @@ fn casimirs_over_a_hundred_thousand_steps() {
     // Negative control: h is conserved up to the error of the method.
     let energy = drift(&kernel(4, paper_top()), &paper_top(), [Invariant::Energy; 2], 1000)[0];
     assert!(energy > 2e-12, "{energy:e}");
+}
+
+/// A tolerance ends the iteration earlier, by what the general method understands by it, and 0 is the floor.
+#[test]
+fn a_tolerance_ends_the_iteration_earlier() {
+    // The same top in other units of mass, and of length.
+    let unit = 1e30 * 1e-40;
+    let scaled = top(Vector3::new(1.5, 2.0, 1.0) * unit, unit, Vector3::new(0.6, 0.64, 0.48));
+    let start = paper_start();
+    let scaled_start = Se3Dual::new(start.0.0 * unit, start.0.1);
+    for gauss in everywhere(&kernel(8, generic_top())) {
+        let run = |gauss: &CollectiveGauss, start: &Se3Dual, count: usize| {
+            let run = gauss.trajectory(start, 0.25).unwrap().skip(1).take(count);
+            let samples: Vec<_> = run.map(|sample| sample.unwrap()).collect();
+            let sweeps = samples.iter().map(|sample| sample.iterations).sum::<usize>();
+            (samples.last().unwrap().momentum, sweeps as f64 / count as f64)
+        };
+        let (exact, most) = run(&gauss, &start, 100);
+        let mut before = (0.0, most);
+        for tolerance in [1e-14, 1e-11, 1e-8] {
+            let looser = gauss.clone().with_tolerance(tolerance);
+            let (end, sweeps) = run(&looser, &start, 100);
+            let error = (end - exact).max_abs();
+            // Each step leaves a part of the tolerance, and errors grow with the motion, here up to 60 times.
+            assert!(error > before.0 && error < 100.0 * 60.0 * tolerance, "{tolerance} {error:e}");
+            assert!(sweeps < before.1 - 0.9, "{tolerance} {sweeps} {}", before.1);
+            before = (error, sweeps);
+            // Units do not matter.
+            let other = CollectiveGauss::new(8, scaled).unwrap().with_tolerance(tolerance);
+            let other = other.with_instructions(gauss.instructions()).unwrap();
+            let (end_scaled, sweeps_scaled) = run(&other, &scaled_start, 100);
+            assert!((sweeps_scaled - sweeps).abs() < 0.1, "{sweeps_scaled} {sweeps}");
+            let same = Se3Dual::new(end_scaled.0.0 / unit, end_scaled.0.1);
+            assert!((same - end).max_abs() < 1e-11 + error, "{tolerance}");
+            // Steps that sweeps do not solve are made by the general method to the same tolerance.
+            let solver = StageSolver { tolerance, ..StageSolver::default() };
+            let scheme = RungeKutta::gauss(8).unwrap().with_solver(solver);
+            let general = Collective::new(scheme, SpinorRealisation, generic_top());
+            assert_eq!(*looser.general(), general.compensated());
+        }
+        for none in [0.0, -1.0, f64::NAN] {
+            assert_eq!(gauss.clone().with_tolerance(none), gauss);
+        }
+    }
 }
 
 #[test]

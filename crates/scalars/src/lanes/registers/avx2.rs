@@ -2,7 +2,8 @@
 #![allow(unsafe_code)] // the intrinsics
 
 use super::super::four::Permuted;
-use super::intrinsics::{intrinsics, mask_of_bits, register};
+use super::super::packed::{Packed, cosine, sine};
+use super::intrinsics::{compiled_for, intrinsics, mask_of_bits, register};
 use super::register::Register;
 use crate::numbers::mask::Mask;
 use core::arch::x86_64::{
@@ -49,6 +50,12 @@ register! {
         fn magnitude(a: Self) -> Self {
             // SAFETY: the processor has AVX2 where the type is in use, see `Avx2`.
             Self(unsafe { _mm256_andnot_pd(Self::splat(-0.0).0, a.0) })
+        }
+
+        compiled_for! {
+            "avx2":
+            sine = sine;
+            cosine = cosine;
         }
 
         #[cfg_attr(optimised, inline(always))]

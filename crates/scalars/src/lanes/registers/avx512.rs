@@ -1,7 +1,8 @@
 //! Eight lanes of 512 bits, with fused multiply-add and masks in registers of their own.
 #![allow(unsafe_code)] // the intrinsics
 
-use super::intrinsics::{intrinsics, register};
+use super::super::packed::{Packed, cosine, sine};
+use super::intrinsics::{compiled_for, intrinsics, register};
 use super::register::Register;
 use crate::numbers::mask::Mask;
 use core::arch::x86_64::{
@@ -40,6 +41,12 @@ register! {
             multiply_add(a, b, c) = _mm512_fmadd_pd;
             multiply_subtract(a, b, c) = _mm512_fmsub_pd;
             negative_multiply_add(a, b, c) = _mm512_fnmadd_pd;
+        }
+
+        compiled_for! {
+            "avx512f,avx512dq,avx512vl,avx2":
+            sine = sine;
+            cosine = cosine;
         }
 
         #[cfg_attr(optimised, inline(always))]

@@ -15,6 +15,23 @@ macro_rules! intrinsics {
 }
 pub(super) use intrinsics;
 
+/// Defines functions of a register in code that is compiled for its instructions, and not where they are called.
+macro_rules! compiled_for {
+    ($feature:literal: $($name:ident = $function:path;)*) => {$(
+        #[cfg_attr(optimised, inline(always))]
+        fn $name(a: Self) -> Self {
+            #[target_feature(enable = $feature)]
+            #[inline(never)]
+            fn compiled<R: Register>(a: R) -> R {
+                $function(Packed(a)).0
+            }
+            // SAFETY: the processor has the instructions, see the type.
+            unsafe { compiled(a) }
+        }
+    )*};
+}
+pub(super) use compiled_for;
+
 /// Implements [`Register`](super::register::Register) for a type around one register with the given lanes;
 /// `splat(x)` puts x into every lane, and the braces contain the remaining items.
 macro_rules! register {

@@ -34,6 +34,9 @@ impl<R: Register> Register for Unfused<R> {
         root(a);
         magnitude(a);
         maximum(a, b);
+        // These have no product with a sum.
+        sine(a);
+        cosine(a);
     }
 
     #[cfg_attr(optimised, inline(always))]

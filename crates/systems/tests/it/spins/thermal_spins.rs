@@ -171,8 +171,8 @@ fn chains_and_rings_have_the_energy_of_the_transfer_operator() {
 }
 
 #[test]
-#[ignore = "takes a minute"]
-fn longer_paths_have_the_energy_of_the_transfer_operator() {
+#[ignore = "takes a minute in a release"]
+fn paths_taken_many_times_as_long_have_the_energy_of_the_transfer_operator() {
     // The errors of the midpoint rule, which are proportional to the step, are below three standard errors here, and
     // those of Euler's are above eight.
     let couplings = [(0.5, 0.02), (1.0, 0.02), (2.0, 0.05), (4.0, 0.05)];

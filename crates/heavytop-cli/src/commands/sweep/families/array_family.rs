@@ -2,13 +2,13 @@
 
 use super::course::Course;
 use super::family::{Family, drift_columns, end_columns, own_integration, shared_columns};
-use super::measured_motion::Drift;
+use super::measured_motion::follow;
 use super::varied_number::VariedNumbers;
 use crate::configuration::{Column, Config, Integration, Observable, SweepAxis, SystemConfig};
 use crate::errors::{Error, SweepError, SystemTableError};
 use heavytop::methods::{Formulation, Method, SchemeName};
 use lie_poisson_runs::step_angle::require_run;
-use lie_poisson_runs::{ArraySystem, Model, RunFailure, TangentGrowth};
+use lie_poisson_runs::{ArraySystem, Model};
 
 /// The largest number of coordinates that are columns of a table.
 const MOST_COLUMNS: usize = 256;
@@ -137,15 +137,7 @@ impl Family for ArrayFamily {
 
     fn measure(&self, values: &[f64], course: &Course) -> Result<Vec<Option<f64>>, Error> {
         let (system, start) = self.at(values, course.schedule.step)?;
-        let mut drift = Drift::new(&system, &start)?;
-        let mut observe = |time: f64, state: &[f64]| drift.observe(time, state);
-        let (run, tangents) = ((&self.method, start.as_slice()), course.tangents());
-        let schedule = course.schedule;
-        let grown = TangentGrowth::of_model(&system, run, schedule, tangents, &mut observe)?;
-        if let Some((time, state)) = &drift.undefined {
-            let (time, reason) = (*time, drift.conserved.without_value(*time, state));
-            return Err(RunFailure::NoValue { time, reason }.into());
-        }
+        let (grown, drifts) = follow(&system, (&self.method, &start), course)?;
         let values = |observable: &Observable| match observable {
             Observable::Lyapunov => vec![Some(grown.lyapunov)],
             Observable::Megno => vec![Some(grown.megno)],
@@ -155,7 +147,7 @@ impl Family for ArrayFamily {
                 let own = names(&system);
                 let drift = |name: &String| {
                     let place = own.iter().position(|own| own == name)?;
-                    drift.largest.get(place).copied()
+                    drifts.get(place).copied()
                 };
                 names(&self.system).iter().map(drift).collect()
             }

@@ -38,6 +38,11 @@ pub(in crate::commands::sweep) trait Family:
     /// Returns warnings for users: about what the method does not conserve, and about the body.
     fn warnings(&self) -> Vec<String>;
 
+    /// Returns a warning about the accuracy of the worst member, without the word.
+    fn accuracy_warning(&self, accuracy: &RunAccuracy) -> Option<String> {
+        accuracy.warning()
+    }
+
     /// Returns whether members may be impossible although their motions can be computed.
     fn judges_members(&self) -> bool {
         false

@@ -31,18 +31,41 @@ pub(super) fn measure(
     Ok(course.observables.iter().flat_map(values).collect())
 }
 
+/// Follows the motion of a model from a start by a method, and returns its end with what its tangent vectors show, and the largest
+/// deviations of the quantities with columns.
+///
+/// # Errors
+/// If no state represents the start, the motion cannot be followed to the end, or a quantity has no finite value along it.
+pub(super) fn follow(
+    model: &dyn Model,
+    (method, start): (&Method, &[f64]),
+    course: &Course,
+) -> Result<(TangentGrowth, Vec<f64>), Error> {
+    let mut drift = Drift::new(model, start)?;
+    let mut observe = |time: f64, state: &[f64]| drift.observe(time, state);
+    let (schedule, tangents) = (course.schedule, course.tangents());
+    let grown = TangentGrowth::of_model(model, (method, start), schedule, tangents, &mut observe)?;
+    match &drift.undefined {
+        Some((time, state)) => {
+            let (time, reason) = (*time, drift.conserved.without_value(*time, state));
+            Err(RunFailure::NoValue { time, reason }.into())
+        }
+        None => Ok((grown, drift.largest)),
+    }
+}
+
 /// The largest deviations of what is conserved.
-pub(super) struct Drift<'a> {
-    pub(super) conserved: Box<dyn Conserved + 'a>,
+struct Drift<'a> {
+    conserved: Box<dyn Conserved + 'a>,
     initial: Vec<f64>,
-    pub(super) largest: Vec<f64>,
+    largest: Vec<f64>,
     values: Vec<f64>,
     /// The first time and state at which a quantity has no finite value.
-    pub(super) undefined: Option<(f64, Vec<f64>)>,
+    undefined: Option<(f64, Vec<f64>)>,
 }
 
 impl<'a> Drift<'a> {
-    pub(super) fn new(model: &'a dyn Model, start: &[f64]) -> Result<Self, Error> {
+    fn new(model: &'a dyn Model, start: &[f64]) -> Result<Self, Error> {
         let conserved = model.conserved(start);
         let initial = conserved.values(0.0, start);
         let initial = initial.map_err(|reason| RunFailure::NoValue { time: 0.0, reason })?;
@@ -50,7 +73,7 @@ impl<'a> Drift<'a> {
         Ok(Self { conserved, initial, largest, values, undefined: None })
     }
 
-    pub(super) fn observe(&mut self, time: f64, state: &[f64]) {
+    fn observe(&mut self, time: f64, state: &[f64]) {
         self.values.clear();
         self.conserved.append(time, state, &mut self.values);
         if self.values.iter().any(|value| !value.is_finite()) {

@@ -9,3 +9,4 @@ pub(super) mod top_family;
 mod varied_number;
 pub(super) mod system_family;
 pub(super) mod array_family;
+pub(super) mod open;

@@ -38,9 +38,9 @@ impl TopFamily {
     pub fn new(config: &Config, axes: &[SweepAxis]) -> Result<(Self, Integration), Error> {
         let parameter = |axis: &SweepAxis| match &axis.parameter {
             Parameter::Top(parameter) => Ok((*parameter, axis.normalise)),
-            Parameter::System(parameter) => Err(SweepError::OfAnother {
-                parameter: parameter.to_string(),
-                of: "[system]",
+            other => Err(SweepError::OfAnother {
+                parameter: other.name(),
+                of: other.table(),
                 has: "vary a number of [body] or [initial]".into(),
             }),
         };
@@ -99,7 +99,7 @@ impl TopFamily {
     }
 
     /// Returns the tables `[body]` and `[initial]` at these values of the axes.
-    fn tables(&self, values: &[f64]) -> (BodyConfig, InitialConfig) {
+    pub(super) fn tables(&self, values: &[f64]) -> (BodyConfig, InitialConfig) {
         let (mut body, mut initial) = (self.body, self.initial);
         for azimuths in [false, true] {
             for ((parameter, _), value) in self.parameters.iter().zip(values) {

@@ -110,9 +110,9 @@ impl VariedNumbers {
     ) -> Result<Self, SweepError> {
         let of_axis = |axis: &SweepAxis| match &axis.parameter {
             Parameter::System(parameter) => VariedNumber::of(parameter, table, coordinates),
-            Parameter::Top(parameter) => Err(SweepError::OfAnother {
-                parameter: parameter.name().into(),
-                of: "a top",
+            other => Err(SweepError::OfAnother {
+                parameter: other.name(),
+                of: other.table(),
                 has: "vary system.parameters.NAME or system.initial.NAME".into(),
             }),
         };

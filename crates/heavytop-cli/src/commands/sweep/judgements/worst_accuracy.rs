@@ -33,7 +33,7 @@ pub(in crate::commands::sweep) fn worst_warning(
     accuracy: &RunAccuracy,
 ) -> Option<String> {
     let (measured, members, nouns) = (probes(plan).len(), plan.members, plan.nouns());
-    let text = accuracy.warning()?;
+    let text = plan.family.accuracy_warning(accuracy)?;
     Some(format!(
         "warning: in the worst of {measured} that were tried of {members} {nouns}, {text}"
     ))

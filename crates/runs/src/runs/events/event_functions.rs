@@ -1,21 +1,22 @@
-//! Events of a run, which are zeros of functions of the momentum: [`EventFunctions`].
+//! Events of a run, which are zeros of functions of the momentum and the time: [`EventFunctions`].
 
-use super::experiment::Experiment;
-use super::schedule::Schedule;
+use super::timed_integrator::{TimedIntegrator, TimedState};
 use crate::error::RunFailure;
-use collective_integrators::{
-    AnyIntegrator, AnyState, Direction, EventError, EventSearch, SampleOf, Start,
-};
+use crate::runs::experiment::Experiment;
+use crate::runs::schedule::Schedule;
+use collective_integrators::{AnyIntegrator, Direction, EventError, EventSearch, SampleOf, Start};
 use core::ops::ControlFlow;
+use lie_poisson::Pair;
 use lie_poisson_formulas::Formula;
 
-/// Functions of the momentum whose zeros are found along a run, to the accuracy of the integrator.
+/// Functions of the momentum and the time whose zeros are found along a run, to the accuracy of the integrator.
 ///
 /// An event is where a function goes to zero and changes its sign. A touch is none, and neither are jumps, poles and a start
 /// on zero. A function that is an [angle](Formula::period) is zero once per turn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EventFunctions {
-    /// The functions, of the coordinates in the axes of the users.
+    /// The functions, of the coordinates in the axes of the users, and of what follows them: the time, s, and inputs
+    /// ([`Model::append_inputs`](crate::Model::append_inputs)). A function may know the first of these names alone.
     pub functions: Vec<Formula>,
     /// The direction in which they pass zero, along the run.
     pub direction: Direction,
@@ -66,9 +67,10 @@ impl EventFunctions {
         mut visit: impl FnMut(usize, &[f64]) -> Result<ControlFlow<()>, E>,
     ) -> Result<(), E> {
         let (integrator, start) = run.begin()?;
+        let timed = TimedIntegrator::new(&integrator);
         let functions = self.functions.iter();
         let mut searches: Vec<_> =
-            functions.map(|function| self.search(function, run, &integrator)).collect();
+            functions.map(|function| self.search(function, run, &timed)).collect();
         let (mut fill, mut row) = (run.rows(), Vec::new());
         let Schedule { step: size, steps } = run.pace.schedule;
         let samples = integrator.trajectory(&start, size).map_err(RunFailure::from)?;
@@ -76,11 +78,13 @@ impl EventFunctions {
             let sample = sample.map_err(|reason| RunFailure::of_step(&run.method, reason))?;
             step(sample.step)?;
             let mut found: Vec<(usize, SampleOf<AnyIntegrator>)> = Vec::new();
+            let sample = TimedIntegrator::sample(&sample);
             for (place, search) in searches.iter_mut().enumerate() {
                 let events = search.observe(&sample);
                 let events =
                     events.map_err(|error| self.failed(run, (place, sample.time), error))?;
-                found.extend(events.into_iter().flatten().map(|event| (place, event)));
+                let events = events.into_iter().flatten().map(TimedIntegrator::untimed);
+                found.extend(events.map(|event| (place, event)));
             }
             found.sort_by(|(_, one), (_, other)| one.time.abs().total_cmp(&other.time.abs()));
             for (place, event) in &found {
@@ -98,12 +102,13 @@ impl EventFunctions {
         &self,
         function: &'a Formula,
         run: &'a Experiment,
-        integrator: &'a AnyIntegrator,
-    ) -> EventSearch<'a, AnyIntegrator, impl Fn(&AnyState) -> f64 + use<'a>> {
-        let value = |mu: &AnyState| {
-            let mut state = mu.as_slice().to_vec();
-            run.model.present(&mut state);
-            function.value_at(&state)
+        integrator: &'a TimedIntegrator<'a>,
+    ) -> EventSearch<'a, TimedIntegrator<'a>, impl Fn(&TimedState) -> f64 + use<'a>> {
+        let value = |Pair(mu, time): &TimedState| {
+            let mut x = mu.as_slice().to_vec();
+            run.model.present(&mut x);
+            run.model.append_inputs(time.x, &mut x);
+            function.value_at(x.get(..function.dimension()).unwrap_or(&x))
         };
         let search = EventSearch::new(integrator, value, self.direction);
         match function.period() {
