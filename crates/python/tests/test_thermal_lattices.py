@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pytest
 
-from heavytop import Event, SpinChain, SpinLattice, SphereFluid, System, VibratingLattice, lyapunov, solve_many
+from heavytop import Event, SpinChain, SpinLattice, System, VibratingLattice, lyapunov, solve_many
 from heavytop.array_systems import ArraySystem
 
 UP = {"direction": [0, 0, 1]}
@@ -143,8 +143,7 @@ def test_what_there_is_not_is_refused_with_a_reason():
         solve_many(ring(4, 1.0, path=2**53 - 2), [UP] * 3, step=0.05, end=1)
     with pytest.warns(RuntimeWarning, match="the noise turns the state by about 4.0e-1"):
         ring(4, 1.6).solve(UP, step=0.05, end=1)
-    with pytest.raises(ValueError, match="spin-lattice has it"):
-        ArraySystem("sphere-fluid", {"size": 4}, damping=1.0)
-    for other in (SphereFluid, VibratingLattice):
-        with pytest.raises(TypeError):
-            other(4, 1.0, damping=1.0)
+    with pytest.raises(ValueError, match="spin-lattice has friction and a temperature"):
+        ArraySystem("vibrating-lattice", {"atoms": 4, "exchange": 1.0}, damping=1.0)
+    with pytest.raises(TypeError):
+        VibratingLattice(4, 1.0, damping=1.0)

@@ -35,7 +35,9 @@
 //! | the model of a system by formula | [`FormulaSystem`](lie_poisson_formula_systems::FormulaSystem) |
 //! | the model of a system, or of a top, that is driven, damped, noisy or forced | [`OpenSystem`](lie_poisson_formula_systems::OpenSystem), [`OpenTop`] |
 //! | a lattice of spins, a fluid on the sphere, any number of vortices, by name | [`ArrayKind`], [`ArraySystem`], [`Arguments`] |
-//! | a lattice of spins with friction, or at a temperature | [`ThermalLattice`], [`LatticeTerms`], [`LatticeNoise`], [`SpinDamping`] |
+//! | a lattice of spins with friction, or at a temperature | [`OpenArrays`], [`LatticeTerms`], [`LatticeNoise`], [`SpinDamping`], [`NoisePaths`] |
+//! | a fluid on the sphere with viscosity, forces or noise | [`OpenArrays`], [`FluidTerms`], [`FluidNoise`], [`HarmonicShell`], [`NoisePaths`] |
+//! | any of them | [`ArrayTerms`] |
 //! | the rows of a run one by one | [`Experiment`] |
 //! | where functions of the momentum and the time are zero along a run | [`EventFunctions`], [`TimedIntegrator`] |
 //! | means, deviations and quantiles over many paths of a motion with noise | [`PathEnsemble`], [`PathRow`], [`PathStatistics`] |
@@ -69,8 +71,11 @@ pub mod contests;
 pub use arrays::arguments::Arguments;
 pub use arrays::array_kind::ArrayKind;
 pub use arrays::array_system::ArraySystem;
-pub use arrays::temperature::lattice_terms::{LatticeNoise, LatticeTerms};
-pub use arrays::temperature::thermal_lattice::ThermalLattice;
+pub use arrays::open::array_terms::{
+    ArrayTerms, FluidNoise, FluidTerms, HarmonicShell, LatticeNoise, LatticeTerms,
+};
+pub use arrays::open::noise_paths::NoisePaths;
+pub use arrays::open::open_arrays::OpenArrays;
 pub use error::RunFailure;
 pub use lie_poisson_systems::SpinDamping;
 pub use models::conserved::Conserved;

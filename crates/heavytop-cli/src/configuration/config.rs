@@ -17,7 +17,7 @@ use heavytop::{HeavyTop, PrincipalAxes};
 use lie_poisson::{InstructionSet, Se3Dual};
 use lie_poisson_formula_systems::FormulaSystem;
 use lie_poisson_runs::step_angle::require_sane_step;
-use lie_poisson_runs::{ThermalLattice, TopQuantity};
+use lie_poisson_runs::{OpenArrays, TopQuantity};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -58,13 +58,13 @@ pub struct Config {
     /// The table `[drive]`: a control, an element of the algebra by formulas.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub drive: Option<Element>,
-    /// The table `[damping]`: friction that keeps the Casimirs.
+    /// The table `[damping]`: friction that keeps the Casimirs, or the viscosity of a fluid.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub damping: Option<DampingConfig>,
     /// The table `[noise]`: noise that keeps the Casimirs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub noise: Option<NoiseConfig>,
-    /// The table `[torque]`: a torque by formulas.
+    /// The table `[torque]`: a torque by formulas, or the force on a fluid by its coefficients.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torque: Option<Element>,
     /// The keys that were left out of the tables of tops where they were read.
@@ -82,8 +82,8 @@ impl Config {
             && let Some(kind) = system.array_kind()
         {
             self.require_output_of_system()?;
-            if let Some(lattice) = self.thermal_lattice(kind)? {
-                return Ok(Box::new(lattice));
+            if let Some(open) = self.open_arrays(kind)? {
+                return Ok(Box::new(open));
             }
             if let Some(arrays) = system.array_experiment(self.integrator, self.output.every)? {
                 return Ok(Box::new(arrays));
@@ -195,9 +195,8 @@ impl Config {
     #[must_use]
     pub(crate) fn with_integrator(&self) -> Self {
         let usual = Integration::default();
-        if self.is_thermal_lattice() {
-            let (formulation, scheme) = (ThermalLattice::FORMULATION, ThermalLattice::SCHEME);
-            let own = Integration { formulation, scheme, ..usual };
+        if let Some(formulation) = self.opened_formulation() {
+            let own = Integration { formulation, scheme: OpenArrays::SCHEME, ..usual };
             return Self { integrator: self.integrator.or(own).into(), ..self.clone() };
         }
         let mut integrator: IntegratorConfig = self.integrator.or(usual).into();

@@ -22,6 +22,7 @@ pub use integrator_config::{Instructions, Integration, IntegratorConfig};
 pub use notes::Notes;
 pub use open::{
     DampingConfig, DampingForm, Element, Formulas, InnerProductConfig, InputConfig, NoiseConfig,
+    Shell, ShellConfig,
 };
 pub(crate) use open::{OpenModel, OpenStart};
 pub use output_config::OutputConfig;

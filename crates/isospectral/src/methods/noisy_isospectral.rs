@@ -75,6 +75,18 @@ impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> NoisyIsospectral<
         Self { scheme, field, noise, paths }
     }
 
+    /// Returns this with another scheme.
+    #[must_use]
+    pub fn with_scheme(self, scheme: S) -> Self {
+        Self { scheme, ..self }
+    }
+
+    /// Returns this with another noise.
+    #[must_use]
+    pub fn with_noise(self, noise: N) -> Self {
+        Self { noise, ..self }
+    }
+
     /// Returns the equation without noise.
     pub const fn field(&self) -> &F {
         &self.field

@@ -24,6 +24,8 @@ Open = tuple[
 ]
 Path = tuple[int, int, Optional[float], Optional[float]]
 Lattice = tuple[Optional[tuple[float, bool]], Optional[tuple[float, Path]]]
+Shells = list[tuple[tuple[int, int], float]]
+Fluid = tuple[tuple[float, int, float], list[list[float]], Optional[tuple[Shells, Shells, Path]]]
 Callback = tuple[Callable[[Floats, float], float], int, int]
 Accuracy = tuple[float, Optional[float], Optional[str]]
 
@@ -159,7 +161,7 @@ class Arrays:
     formulations: list[str]
     def __reduce__(self) -> tuple[object, ...]: ...
     def __new__(
-        cls, kind: str, parameters: Sequence[Parameter], open: Optional[Lattice]
+        cls, kind: str, parameters: Sequence[Parameter], open: Union[None, Lattice, Fluid]
     ) -> Arrays: ...
     def on_path(self, path: int) -> Arrays: ...
     def start(self, given: Sequence[Parameter]) -> Floats: ...

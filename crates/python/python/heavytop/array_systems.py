@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from .arguments import array, count, numbers
 from .events import Events, NativeEvent, event_parts, list_of
-from .open_terms import native_lattice
+from .open_terms import native_arrays
 from .solution import Floats, Solution
 from .system import System
 from .system_description import Parameters, State
@@ -44,8 +44,9 @@ class ArraySystem(System):
     Args:
         kind: the name of the system, such as "spin-lattice".
         parameters: its parameters by name; those that are missing are named with their meaning.
-        damping: of a lattice of spins, as for `SpinLattice`.
-        noise: of a lattice of spins, as for `SpinLattice`.
+        damping: of a lattice of spins, as for `SpinLattice`, or of a fluid, as for `SphereFluid`.
+        noise: of a lattice of spins or a fluid, the same.
+        torque: of a fluid, as for `SphereFluid`.
     """
 
     def __init__(
@@ -54,10 +55,12 @@ class ArraySystem(System):
         parameters: Parameters,
         damping: Union[None, float, Mapping[str, Any]] = None,
         noise: Optional[Mapping[str, Any]] = None,
+        torque: Optional[Mapping[str, Any]] = None,
     ) -> None:
         self._numbers = numbers_of("parameters", parameters)
         self._kind = self._algebra = str(kind)
-        self._arrays = _native.Arrays(self._kind, self._numbers, native_lattice(damping, noise))
+        terms = native_arrays(self._kind, damping, noise, torque)
+        self._arrays = _native.Arrays(self._kind, self._numbers, terms)
         # The methods of `System` need no more of it than it has.
         self._system: Any = self._arrays
         self._names = {}
@@ -83,7 +86,7 @@ class ArraySystem(System):
 
     @property
     def invariants(self) -> tuple[str, ...]:
-        """The symbols of what is conserved, or would be without friction and noise."""
+        """The symbols of what is conserved, or would be without friction, forces and noise."""
         return tuple(self._arrays.invariants)
 
     @property
@@ -266,12 +269,12 @@ class VibratingLattice(ArraySystem):
 
 
 class SphereFluid(ArraySystem):
-    """An ideal fluid on the sphere, by Zeitlin's model; one array omega of shape (N, N).
+    """A fluid on the sphere, by Zeitlin's model, ideal unless it has damping, a torque or noise; one array omega of shape (N, N).
 
     omega holds the coefficients of the absolute vorticity in orthonormal spherical harmonics with the phase of Condon and
     Shortley: Re omega_lm at [l, m], and Im omega_lm at [m - 1, l]; `harmonics` gives them as complex numbers, and `vorticity`
     the values on a grid. A start is such an array, or `{"degrees": [2, 10], "rms": 1, "seed": 0}` at random, or
-    `{"coefficients": [[l, m, re, im], ...]}`, or `{"vorticity": array}` of shape (r, 2 r) with r >= 2 N - 1, as `vorticity`
+    `{"coefficients": [[l, m, re, im], ...]}`, without rows at rest, or `{"vorticity": array}` of shape (r, 2 r) with r >= 2 N - 1, as `vorticity`
     returns. On a sphere that rotates at Omega the absolute vorticity of a fluid at rest there is 2 Omega cos(theta), the
     coefficient omega_10 = 2 Omega sqrt(4 pi/3): add it to a start relative to the sphere. Conserved are h, the kinetic energy;
     the enstrophy Z, the integral of omega^2; and the angular momentum (M1, M2, M3), or M3 alone on a sphere that rotates. Tangent
@@ -282,6 +285,14 @@ class SphereFluid(ArraySystem):
         vorticity: a start as values on a grid, for runs that are given none.
         coefficients: a start as rows (l, m, re, im), instead.
         rotation: the angular velocity of the sphere.
+        damping: {"viscosity": nu, "power": p, "drag": alpha}: the coefficients of degree l, relative to the rotation of the sphere, decay
+            at the rate alpha + nu (l (l + 1))^p. p is 1 unless given; above 1 it is a hyperviscosity.
+        torque: {"coefficients": rows (l, m, re, im)}: a constant force, as the rate of the vorticity.
+        noise: {"transport": {"degrees": [l1, l2], "strength": s}}, random stream functions that carry the fluid along and keep its
+            Casimirs, s in 1/sqrt(t); or "stirring", random vorticities that are added to it, s in 1/(t sqrt(t)); or both; each a shell or a
+            list of shells. Besides "seed" (1), "path" (0), "interval" and "bound" as for `System`. With damping, a torque or noise the
+            method is "reduced", "implicit-midpoint", of order 2 without noise, and viscosity runs forward in time alone; h, Z and the
+            angular momentum have values, of which Z is kept under transport noise alone.
 
     Example:
         A Rossby-Haurwitz wave on a sphere at rest keeps the size of its coefficients:
@@ -299,11 +310,15 @@ class SphereFluid(ArraySystem):
         vorticity: Optional[ArrayLike] = None,
         coefficients: Optional[ArrayLike] = None,
         rotation: float = 0.0,
+        damping: Optional[Mapping[str, Any]] = None,
+        torque: Optional[Mapping[str, Any]] = None,
+        noise: Optional[Mapping[str, Any]] = None,
     ) -> None:
-        super().__init__("sphere-fluid", {"size": count("size", size, 2), "rotation": rotation})
+        given = {"size": count("size", size, 2), "rotation": rotation}
+        super().__init__("sphere-fluid", given, damping, noise, torque)
         starts = {"vorticity": vorticity, "coefficients": coefficients}
-        given = {name: values for name, values in starts.items() if values is not None}
-        self._first = self.start(**given) if given else None
+        start = {name: values for name, values in starts.items() if values is not None}
+        self._first = self.start(**start) if start else None
 
     def _formulation_of_tangents(self) -> str:
         return "direct"
@@ -329,7 +344,8 @@ class SphereFluid(ArraySystem):
         if len(grid) != 2 or grid[1] != 2 * grid[0]:
             raise ValueError(f"y0['vorticity'] must have the shape (r, 2 r), got {grid}")
         rows = np.shape(given.get("coefficients", np.zeros((1, 4))))
-        if len(rows) != 2 or rows[1] != 4:
+        # No rows are a fluid at rest.
+        if rows != (0,) and (len(rows) != 2 or rows[1] != 4):
             raise ValueError(f"y0['coefficients'] must have the shape (n, 4), got {rows}")
         return super().start(**given)
 

@@ -25,6 +25,14 @@ Inputs = Mapping[str, tuple[ArrayLike, ArrayLike, str]]
 
 Source = Union[str, list[Part]]
 
+PATH = ("seed", "path", "interval", "bound")
+"""What every noise has."""
+
+SHELL = "{'degrees': [8, 10], 'strength': 0.1}"
+
+MOST_POWER = 2**32 - 1
+"""The largest power of a viscosity that the native part takes, which refuses it."""
+
 
 class OpenNames:
     """The names of the coordinates of a system, with the time and the inputs behind them."""
@@ -130,10 +138,9 @@ def inner_product(names: OpenNames, given: Optional[ArrayLike]) -> Optional[list
 
 def native_noise(names: OpenNames, noise: Mapping[str, Any]) -> _native.Noise:
     """Returns the noise as the native part takes it."""
-    if not isinstance(noise, Mapping):
-        raise ValueError(f"noise must be a mapping such as {{'temperature': 0.5}}, got {noise!r}")
+    mapping("noise", noise, "{'temperature': 0.5}")
     kinds = ("temperature", "strength", "fields")
-    only("noise", noise, (*kinds, "inner_product", "seed", "path", "rule", "interval", "bound"))
+    only("noise", noise, (*kinds, "inner_product", "rule", *PATH))
     given = [kind for kind in kinds if kind in noise]
     if len(given) != 1 or ("inner_product" in noise and given != ["strength"]):
         raise ValueError("noise has one of temperature, which goes with damping, strength, with or without inner_product, and fields")
@@ -160,24 +167,92 @@ def native_path(noise: Mapping[str, Any]) -> _native.Path:
     return count("seed", noise.get("seed", 1), 0), count("path", noise.get("path", 0), 0), interval, bound
 
 
-def native_lattice(damping: Union[None, float, Mapping[str, Any]], noise: Optional[Mapping[str, Any]]) -> Optional[_native.Lattice]:
-    """Returns the friction and the noise of spins on a lattice as the native part takes them; None if there are none."""
-    if damping is None and noise is None:
+def native_arrays(
+    kind: str,
+    damping: Union[None, float, Mapping[str, Any]],
+    noise: Optional[Mapping[str, Any]],
+    torque: Optional[Mapping[str, Any]],
+) -> Union[None, _native.Lattice, _native.Fluid]:
+    """Returns the friction, the noise and the force of a system of arrays as the native part takes them; None if there are none."""
+    if damping is None and noise is None and torque is None:
         return None
-    friction, path = None, None
-    if damping is not None:
-        given = damping if isinstance(damping, Mapping) else {"friction": damping}
-        only("damping of a lattice", given, ("friction", "form"))
-        form = choice("form", given.get("form", "landau-lifshitz"), ("landau-lifshitz", "gilbert"))
-        friction = friction_of(given), form == "gilbert"
-    if noise is not None:
-        if not isinstance(noise, Mapping):
-            raise ValueError(f"noise must be a mapping such as {{'temperature': 0.5}}, got {noise!r}")
-        only("noise of a lattice", noise, ("temperature", "seed", "path", "interval", "bound"))
-        if "temperature" not in noise:
-            raise ValueError("noise of a lattice has no temperature")
-        path = real("temperature", noise["temperature"]), native_path(noise)
-    return friction, path
+    if kind == "sphere-fluid":
+        return fluid_damping(damping), fluid_force(torque), None if noise is None else fluid_noise(noise)
+    if torque is not None:
+        raise ValueError(f"{kind} has no torque: of the systems of arrays sphere-fluid has one")
+    friction = None if damping is None else lattice_damping(damping)
+    return friction, None if noise is None else lattice_noise(noise)
+
+
+def lattice_damping(damping: Union[float, Mapping[str, Any]]) -> tuple[float, bool]:
+    """Returns the friction of spins on a lattice, and whether it is Gilbert's damping."""
+    given = damping if isinstance(damping, Mapping) else {"friction": damping}
+    only("damping of a lattice", given, ("friction", "form"))
+    form = choice("form", given.get("form", "landau-lifshitz"), ("landau-lifshitz", "gilbert"))
+    return friction_of(given), form == "gilbert"
+
+
+def lattice_noise(noise: Mapping[str, Any]) -> tuple[float, _native.Path]:
+    """Returns the temperature of spins on a lattice, and the path."""
+    only("noise of a lattice", mapping("noise", noise, "{'temperature': 0.5}"), ("temperature", *PATH))
+    if "temperature" not in noise:
+        raise ValueError("noise of a lattice has no temperature")
+    return real("temperature", noise["temperature"]), native_path(noise)
+
+
+def fluid_damping(damping: Any) -> tuple[float, int, float]:
+    """Returns the viscosity of a fluid, its power, and the drag."""
+    if damping is None:
+        return 0.0, 1, 0.0
+    given = mapping("damping", damping, "{'viscosity': 1e-3, 'drag': 0.1}")
+    only("damping of a fluid", given, ("viscosity", "power", "drag"))
+    if not given or ("power" in given and "viscosity" not in given):
+        raise ValueError("damping of a fluid has no viscosity")
+    viscosity, drag = (real(key, given.get(key, 0.0)) for key in ("viscosity", "drag"))
+    return viscosity, min(count("power", given.get("power", 1), 0), MOST_POWER), drag
+
+
+def fluid_force(torque: Optional[Mapping[str, Any]]) -> list[list[float]]:
+    """Returns the rows l, m, re, im of the force on a fluid."""
+    if torque is None:
+        return []
+    given = mapping("torque", torque, "{'coefficients': [[3, 0, 0.1, 0]]}")
+    only("torque of a fluid", given, ("coefficients",))
+    rows = array("torque['coefficients']", given.get("coefficients", ()))
+    if rows.ndim != 2 or rows.shape[1] != 4 or not rows.size:
+        raise ValueError(f"torque['coefficients'] must have the shape (n, 4), got {rows.shape}")
+    return [[float(x) for x in row] for row in rows]
+
+
+def fluid_noise(noise: Mapping[str, Any]) -> tuple[_native.Shells, _native.Shells, _native.Path]:
+    """Returns the transport noise and the stirring of a fluid, and the path."""
+    given = mapping("noise", noise, "{'stirring': {'degrees': [8, 10], 'strength': 0.1}}")
+    only("noise of a fluid", given, ("transport", "stirring", *PATH))
+    if not {"transport", "stirring"} & set(given):
+        raise ValueError("noise of a fluid has no transport and no stirring")
+    return shells("transport", given), shells("stirring", given), native_path(given)
+
+
+def shells(name: str, noise: Mapping[str, Any]) -> _native.Shells:
+    """Returns the shells of harmonics of a noise: of one mapping, or of several."""
+    given = noise.get(name, ())
+    if isinstance(given, str) or not isinstance(given, (Mapping, Sequence)):
+        raise ValueError(f"{name} must be a shell such as {SHELL}, or a list of shells, got {given!r}")
+    every: _native.Shells = []
+    for shell in [given] if isinstance(given, Mapping) else given:
+        only(name, mapping(name, shell, SHELL), ("degrees", "strength"))
+        if len(shell) != 2 or np.shape(shell["degrees"]) != (2,):
+            raise ValueError(f"{name} must be a shell such as {SHELL}, got {shell!r}")
+        least, most = (count(f"the degrees of {name}", degree, 0) for degree in shell["degrees"])
+        every.append(((least, most), real(f"the strength of {name}", shell["strength"])))
+    return every
+
+
+def mapping(name: str, given: Any, example: str) -> Mapping[str, Any]:
+    """Checks that something is a mapping, and returns it."""
+    if not isinstance(given, Mapping):
+        raise ValueError(f"{name} must be a mapping such as {example}, got {given!r}")
+    return given
 
 
 def friction_of(given: Mapping[str, Any]) -> float:

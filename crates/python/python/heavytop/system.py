@@ -150,7 +150,7 @@ class System(SystemDescription):
                 written with its sign or without.
             scheme: "implicit-midpoint", "gauss-4" ... "gauss-16", "explicit-midpoint", "rk4", or one of the compositions
                 "strang", "yoshida-4", "suzuki-4", "yoshida-6", "kahan-li-6" and "kahan-li-8". Without it "gauss-8", or
-                "implicit-midpoint" for a lattice with friction or noise, which has no other one.
+                "implicit-midpoint" for a lattice or a fluid with friction, forces or noise, which has no other one.
             formulation: so(3), su(2), se(3) and sums of so(3) and su(2) have "collective", by a Poisson map from a
                 canonical space, which is their default, and "reduced", the same steps without a lift. With the implicit
                 schemes and the compositions both conserve every Casimir to round-off. Every algebra has "direct", which

@@ -1,7 +1,7 @@
 //! A system of arrays, such as a lattice of spins, as a Python class.
 
 use super::algebra::ParameterArgument;
-use super::open::{LatticeArgument, ModelOfRun, WITHOUT_PATH, lattice_terms};
+use super::open::{ArrayTermsArgument, ModelOfRun, WITHOUT_PATH};
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::recorded::Recorded;
@@ -13,23 +13,23 @@ use core::f64::consts::PI;
 use heavytop::methods::{Method, MethodError};
 use lie_poisson_formula_systems::FormulaSystemError;
 use lie_poisson_runs::{
-    Arguments, ArrayKind, ArraySystem, LatticeTerms, Model, RunFailure, ThermalLattice,
+    Arguments, ArrayKind, ArraySystem, ArrayTerms, Model, OpenArrays, RunFailure,
 };
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::types::{PyAnyMethods, PyType};
 use pyo3::{Bound, PyResult, Python, pyclass, pymethods};
 
-/// The kind, the parameters, and the friction and noise of a lattice of spins.
-type Source = (String, Vec<ParameterArgument>, Option<LatticeArgument>);
+/// The kind, the parameters, and the friction, the forces and the noise.
+type Source = (String, Vec<ParameterArgument>, Option<ArrayTermsArgument>);
 
 /// A system whose states are arrays.
 #[derive(Clone)]
 #[pyclass(frozen, module = "heavytop._native")]
 pub struct Arrays {
     system: ArraySystem,
-    /// The friction and the noise of a lattice of spins.
-    terms: Option<LatticeTerms>,
+    /// The friction, the forces and the noise.
+    terms: Option<ArrayTerms>,
     source: Source,
 }
 
@@ -40,7 +40,7 @@ impl Arrays {
     fn new(
         kind: String,
         arguments: Vec<ParameterArgument>,
-        open: Option<LatticeArgument>,
+        open: Option<ArrayTermsArgument>,
     ) -> PyResult<Self> {
         let Some(found) = ArrayKind::named(&kind) else {
             let all: Vec<_> = ArrayKind::ALL.iter().map(|kind| kind.name).collect();
@@ -48,7 +48,7 @@ impl Arrays {
             return Err(PyValueError::new_err(text));
         };
         let system = found.system(&given(&arguments)).map_err(refused)?;
-        let terms = open.as_ref().map(lattice_terms);
+        let terms = open.as_ref().map(ArrayTermsArgument::terms);
         let made = Self { system, terms, source: (kind, arguments, open) };
         // What does not fit is refused here, whatever the step will be.
         made.unit_model()?;
@@ -61,13 +61,13 @@ impl Arrays {
         self.system.arrays()
     }
 
-    /// The symbols of what is conserved, or would be without friction and noise.
+    /// The symbols of what is conserved, or would be without friction, forces and noise.
     #[getter]
     fn invariants(&self) -> PyResult<Vec<String>> {
         Ok(self.unit_model()?.conserved(&[]).names())
     }
 
-    /// Whether there is friction or noise.
+    /// Whether there is friction, a force or noise.
     #[getter]
     fn is_open(&self) -> bool {
         self.terms.is_some()
@@ -83,13 +83,11 @@ impl Arrays {
 
     /// Returns the system on another path of its noise.
     fn on_path(&self, path: u64) -> PyResult<Self> {
-        let mut other = self.clone();
-        let of_terms = other.terms.as_mut().and_then(|terms| terms.noise.as_mut());
-        let of_source = other.source.2.as_mut().and_then(|(_, noise)| noise.as_mut());
-        let (Some(noise), Some((_, (_, source, ..)))) = (of_terms, of_source) else {
-            return Err(PyValueError::new_err(WITHOUT_PATH));
-        };
-        (noise.path, *source) = (path, path);
+        let mut source = self.source.clone();
+        let number = source.2.as_mut().and_then(ArrayTermsArgument::path_mut);
+        *number.ok_or_else(|| PyValueError::new_err(WITHOUT_PATH))? = path;
+        let terms = source.2.as_ref().map(ArrayTermsArgument::terms);
+        let other = Self { system: self.system.clone(), terms, source };
         other.unit_model()?;
         Ok(other)
     }
@@ -103,8 +101,9 @@ impl Arrays {
     /// The formulations that the system has, the default one first.
     #[getter]
     fn formulations(&self) -> Vec<&'static str> {
-        if self.terms.is_some() {
-            return vec![ThermalLattice::FORMULATION.name()];
+        let opened = self.system.kind().opened;
+        if let (Some(_), Some(formulation)) = (&self.terms, opened) {
+            return vec![formulation.name()];
         }
         self.system.formulations().iter().map(|formulation| formulation.name()).collect()
     }
@@ -165,7 +164,7 @@ impl Arrays {
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let model = self.unit_model()?;
         self.each(py, &states, |given| match &model {
-            ModelOfRun::Lattice(lattice) => lattice.rate(given),
+            ModelOfRun::OpenArrays(open) => open.rate(given),
             _ => self.system.rate(given),
         })
     }
@@ -226,14 +225,14 @@ impl Arrays {
 impl Arrays {
     /// Returns the model of a run with steps of a size.
     pub(crate) fn model(&self, step: f64) -> PyResult<ModelOfRun<'_>> {
-        let Some(terms) = self.terms else { return Ok(ModelOfRun::Arrays(&self.system)) };
-        let lattice = ThermalLattice::new(self.system.clone(), terms, step).map_err(refused)?;
-        Ok(ModelOfRun::Lattice(Box::new(lattice)))
+        let Some(terms) = &self.terms else { return Ok(ModelOfRun::Arrays(&self.system)) };
+        let open = OpenArrays::new(self.system.clone(), terms.clone(), step).map_err(refused)?;
+        Ok(ModelOfRun::OpenArrays(Box::new(open)))
     }
 
     /// Returns the model of no run, with the step of its noise, or 1.
     fn unit_model(&self) -> PyResult<ModelOfRun<'_>> {
-        let interval = self.terms.and_then(|terms| terms.noise?.interval);
+        let interval = self.terms.as_ref().and_then(|terms| terms.paths()?.interval);
         self.model(interval.unwrap_or(1.0))
     }
 
@@ -256,9 +255,7 @@ impl Arrays {
             let scheme = scheme.parse().map_err(MethodError::from)?;
             let formulation = formulation.transpose()?;
             match &model {
-                ModelOfRun::Lattice(lattice) => {
-                    lattice.method(formulation, Some(scheme), tolerance)
-                }
+                ModelOfRun::OpenArrays(open) => open.method(formulation, Some(scheme), tolerance),
                 _ => self.system.method(formulation, scheme, tolerance),
             }
         };

@@ -11,7 +11,8 @@ use lie_poisson_formula_systems::{
 };
 use lie_poisson_formulas::Formula;
 use lie_poisson_runs::{
-    ArraySystem, LatticeNoise, LatticeTerms, Model, SpinDamping, ThermalLattice,
+    ArraySystem, ArrayTerms, FluidNoise, FluidTerms, HarmonicShell, LatticeNoise, LatticeTerms,
+    Model, NoisePaths, OpenArrays, SpinDamping,
 };
 use pyo3::{FromPyObject, IntoPyObject, PyErr, PyResult};
 
@@ -28,7 +29,7 @@ type Element = Vec<FormulaSource>;
 type DampingArgument = (f64, Option<Vec<f64>>);
 
 /// The noise; its seed, path, interval and bound; and whether its fields act one after the other.
-type NoiseArgument = (NoiseSource, (u64, u64, Option<f64>, Option<f64>), bool);
+type NoiseArgument = (NoiseSource, PathArgument, bool);
 
 /// Where a noise comes from.
 #[derive(Clone, FromPyObject, IntoPyObject)]
@@ -105,29 +106,70 @@ pub(crate) fn terms(
     Ok(OpenTerms { inputs, hamiltonian, drive, damping, noise, torque })
 }
 
-/// The friction of spins, and whether it is Gilbert's damping.
-type SpinDampingArgument = (f64, bool);
+/// The seed, the path, the interval and the bound of a noise.
+pub(crate) type PathArgument = (u64, u64, Option<f64>, Option<f64>);
 
-/// The energy kT; and the seed, the path, the interval and the bound of the noise.
-type SpinNoiseArgument = (f64, (u64, u64, Option<f64>, Option<f64>));
+/// The least and the largest degree of a shell of harmonics, and the strength of the noise in it.
+type ShellArgument = ((usize, usize), f64);
 
-/// The damping and the noise of spins on a lattice.
-pub(crate) type LatticeArgument = (Option<SpinDampingArgument>, Option<SpinNoiseArgument>);
+/// What damps, forces and shakes a system of arrays.
+#[derive(Clone, FromPyObject, IntoPyObject)]
+pub(crate) enum ArrayTermsArgument {
+    /// The friction of spins, and whether it is Gilbert's damping; the energy kT, and the paths.
+    Lattice(Option<(f64, bool)>, Option<(f64, PathArgument)>),
+    /// The viscosity, its power, and the drag of a fluid; rows l, m, re, im of the force; and shells of transport noise
+    /// and of stirring, and the paths.
+    Fluid(
+        (f64, u32, f64),
+        Vec<[f64; 4]>,
+        Option<(Vec<ShellArgument>, Vec<ShellArgument>, PathArgument)>,
+    ),
+}
 
-/// Returns the friction and the noise of spins on a lattice.
-pub(crate) fn lattice_terms((damping, noise): &LatticeArgument) -> LatticeTerms {
-    let damping = damping.map(|(friction, is_gilbert)| match is_gilbert {
-        true => SpinDamping::Gilbert(friction),
-        false => SpinDamping::LandauLifshitz(friction),
-    });
-    let noise = noise.map(|(temperature, (seed, path, interval, bound))| LatticeNoise {
-        temperature,
-        seed,
-        path,
-        interval,
-        bound,
-    });
-    LatticeTerms { damping, noise }
+impl ArrayTermsArgument {
+    /// Returns the terms.
+    pub(crate) fn terms(&self) -> ArrayTerms {
+        match self {
+            Self::Lattice(damping, noise) => {
+                let damping = damping.map(|(friction, is_gilbert)| match is_gilbert {
+                    true => SpinDamping::Gilbert(friction),
+                    false => SpinDamping::LandauLifshitz(friction),
+                });
+                let noise = noise
+                    .map(|(temperature, path)| LatticeNoise { temperature, paths: paths(path) });
+                LatticeTerms { damping, noise }.into()
+            }
+            Self::Fluid((viscosity, power, drag), force, noise) => {
+                let noise = noise.as_ref().map(|(transport, stirring, path)| FluidNoise {
+                    transport: shells(transport),
+                    stirring: shells(stirring),
+                    paths: paths(*path),
+                });
+                let (viscosity, power, drag) = (*viscosity, *power, *drag);
+                FluidTerms { viscosity, power, drag, force: force.clone(), noise }.into()
+            }
+        }
+    }
+
+    /// Returns the number of the path of the noise, if there is one.
+    pub(crate) fn path_mut(&mut self) -> Option<&mut u64> {
+        Some(match self {
+            Self::Lattice(_, noise) => &mut noise.as_mut()?.1.1,
+            Self::Fluid(.., noise) => &mut noise.as_mut()?.2.1,
+        })
+    }
+}
+
+const fn paths((seed, path, interval, bound): PathArgument) -> NoisePaths {
+    NoisePaths { seed, path, interval, bound }
+}
+
+fn shells(arguments: &[ShellArgument]) -> Vec<HarmonicShell> {
+    let shell = |((least, most), strength): &ShellArgument| HarmonicShell {
+        degrees: [*least, *most],
+        strength: *strength,
+    };
+    arguments.iter().map(shell).collect()
 }
 
 /// The model of a run: that of a closed system, or of an open one with the step of the run.
@@ -135,7 +177,7 @@ pub(crate) enum ModelOfRun<'a> {
     Closed(&'a FormulaSystem),
     Open(Box<OpenSystem>),
     Arrays(&'a ArraySystem),
-    Lattice(Box<ThermalLattice>),
+    OpenArrays(Box<OpenArrays>),
 }
 
 impl<'a> ModelOfRun<'a> {
@@ -159,7 +201,7 @@ impl<'a> ModelOfRun<'a> {
     /// Returns `ValueError`, which names the input.
     pub(crate) fn require_until(&self, end: f64) -> PyResult<()> {
         match self {
-            Self::Closed(_) | Self::Arrays(_) | Self::Lattice(_) => Ok(()),
+            Self::Closed(_) | Self::Arrays(_) | Self::OpenArrays(_) => Ok(()),
             Self::Open(open) => open.terms().inputs.require_until(end).map_err(refused),
         }
     }
@@ -173,7 +215,7 @@ impl Deref for ModelOfRun<'_> {
             Self::Closed(system) => *system,
             Self::Open(open) => &**open,
             Self::Arrays(arrays) => *arrays,
-            Self::Lattice(lattice) => &**lattice,
+            Self::OpenArrays(arrays) => &**arrays,
         }
     }
 }

@@ -1,7 +1,8 @@
 //! What a system of arrays has: [`Arrays`].
 
 use super::arguments::Given;
-use super::sites::open_lattice::OpenLattice;
+use super::open::array_terms::ArrayTerms;
+use super::open::opened::Opening;
 use crate::error::RunFailure;
 use collective_integrators::{AnyIntegrator, AnyTangents};
 use core::fmt;
@@ -91,8 +92,8 @@ pub(super) trait Arrays: fmt::Debug + Send + Sync {
         None
     }
 
-    /// Returns the lattice, if the system is one of spins alone.
-    fn lattice(&self) -> Option<&OpenLattice> {
+    /// Returns the system with friction, forces and noise for steps of a size, s; `None` if it has no such terms.
+    fn opened(&self, _terms: &ArrayTerms, _step: f64) -> Option<Opening> {
         None
     }
 

@@ -4,6 +4,7 @@ use super::any_arrays::Made;
 use super::arguments::{Arguments, Given};
 use super::array_system::ArraySystem;
 use super::systems::{many_vortices, sphere_fluid, spin_lattice, vibrating_lattice};
+use heavytop::methods::Formulation;
 use lie_poisson_formula_systems::{FormulaSystemError, Parameter};
 
 /// A system by name whose states are arrays of any size: what its parameters are, and what a start is given by.
@@ -43,6 +44,9 @@ pub struct ArrayKind {
     pub parameters: &'static [Parameter],
     /// What a start is given by.
     pub start: &'static [Parameter],
+    /// The formulation of the midpoint rule of the system with friction, forces and noise; `None` if it has none of
+    /// them.
+    pub opened: Option<Formulation>,
     make: fn(&Given<'_>) -> Made,
 }
 
@@ -54,6 +58,7 @@ impl ArrayKind {
             about: "an ideal fluid on the sphere",
             parameters: sphere_fluid::PARAMETERS,
             start: sphere_fluid::START,
+            opened: Some(Formulation::Reduced),
             make: sphere_fluid::make,
         },
         Self {
@@ -61,6 +66,7 @@ impl ArrayKind {
             about: "classical spins on a lattice of one to three dimensions",
             parameters: spin_lattice::PARAMETERS,
             start: spin_lattice::START,
+            opened: Some(Formulation::Direct),
             make: spin_lattice::make,
         },
         Self {
@@ -68,6 +74,7 @@ impl ArrayKind {
             about: "classical spins on a chain of moving atoms",
             parameters: vibrating_lattice::PARAMETERS,
             start: vibrating_lattice::START,
+            opened: None,
             make: vibrating_lattice::make,
         },
         Self {
@@ -75,6 +82,7 @@ impl ArrayKind {
             about: "point vortices on the unit sphere",
             parameters: many_vortices::PARAMETERS,
             start: many_vortices::START,
+            opened: None,
             make: many_vortices::make,
         },
     ];
@@ -95,7 +103,6 @@ impl ArrayKind {
         parameters: &Arguments,
     ) -> Result<ArraySystem, FormulaSystemError> {
         let given = Given::new((self.name, false), self.parameters, parameters)?;
-        let Self { name, about, start, .. } = *self;
-        Ok(ArraySystem::new((name, about), start, (self.make)(&given)?))
+        Ok(ArraySystem::new(self, (self.make)(&given)?))
     }
 }

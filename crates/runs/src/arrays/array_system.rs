@@ -2,8 +2,10 @@
 
 use super::any_arrays::Arrays;
 use super::arguments::{Arguments, Given};
+use super::array_kind::ArrayKind;
+use super::open::array_terms::ArrayTerms;
+use super::open::opened::Opening;
 use super::renewed::resumable_after;
-use super::sites::open_lattice::OpenLattice;
 use crate::error::RunFailure;
 use crate::models::conserved::Conserved;
 use crate::models::model::Model;
@@ -11,38 +13,37 @@ use collective_integrators::diagnostics::SystemScales;
 use collective_integrators::{AnyIntegrator, AnyTangents};
 use core::ops::Range;
 use heavytop::methods::{Formulation, Method, SchemeName};
-use lie_poisson_formula_systems::{FormulaSystemError, Parameter};
+use lie_poisson_formula_systems::FormulaSystemError;
 use std::sync::Arc;
 
 /// A system of an [`ArrayKind`](crate::ArrayKind), of a size that is known only when the program runs.
 #[derive(Clone, Debug)]
 pub struct ArraySystem {
-    /// The name, and what the system is in a few words.
-    about: (&'static str, &'static str),
-    /// What a start is given by.
-    start: &'static [Parameter],
+    kind: &'static ArrayKind,
     system: Arc<dyn Arrays>,
 }
 
 impl ArraySystem {
-    pub(super) fn new(
-        about: (&'static str, &'static str),
-        start: &'static [Parameter],
-        system: Box<dyn Arrays>,
-    ) -> Self {
-        Self { about, start, system: system.into() }
+    pub(super) fn new(kind: &'static ArrayKind, system: Box<dyn Arrays>) -> Self {
+        Self { kind, system: system.into() }
+    }
+
+    /// Returns the kind of system.
+    #[must_use]
+    pub const fn kind(&self) -> &'static ArrayKind {
+        self.kind
     }
 
     /// Returns the name of the kind of system.
     #[must_use]
     pub fn name(&self) -> &'static str {
-        self.about.0
+        self.kind.name
     }
 
     /// Returns what the system is, in a few words.
     #[must_use]
     pub fn about(&self) -> &'static str {
-        self.about.1
+        self.kind.about
     }
 
     /// Returns the arrays of a state, one after the other: the name and the shape of each, whose last index is the fastest.
@@ -62,7 +63,7 @@ impl ArraySystem {
     /// # Errors
     /// Returns [`FormulaSystemError`] as [`ArrayKind::system`](crate::ArrayKind::system) does.
     pub fn start_of(&self, given: &Arguments) -> Result<Vec<f64>, FormulaSystemError> {
-        self.system.start(&Given::new((self.name(), true), self.start, given)?)
+        self.system.start(&Given::new((self.name(), true), self.kind.start, given)?)
     }
 
     /// Returns the rate dμ/dt of a state, both in the arrays of the users.
@@ -83,9 +84,9 @@ impl ArraySystem {
         self.fits(state).then(|| self.system.on_circle(state, colatitude, count))?
     }
 
-    /// Returns the lattice, if the system is one of spins alone.
-    pub(super) fn lattice(&self) -> Option<&OpenLattice> {
-        self.system.lattice()
+    /// Returns the system with friction, forces and noise for steps of a size, s; `None` if it has no such terms.
+    pub(super) fn opened(&self, terms: &ArrayTerms, step: f64) -> Option<Opening> {
+        self.system.opened(terms, step)
     }
 
     /// Returns whether a state has as many numbers as there are coordinates.
@@ -246,11 +247,14 @@ impl Conserved for Invariants<'_> {
     }
 
     fn without_value(&self, time: f64, momentum: &[f64]) -> String {
-        let (mut values, names) = (Vec::new(), self.names());
-        self.append(time, momentum, &mut values);
-        let found = names.iter().zip(&values).find(|(_, value)| !value.is_finite());
-        found.map_or("a conserved quantity has no value".into(), |(name, value)| {
-            format!("{name} is {value}")
-        })
+        without_value(self, time, momentum)
     }
+}
+
+/// Returns which quantity has no value, in words.
+pub(super) fn without_value(conserved: &dyn Conserved, time: f64, momentum: &[f64]) -> String {
+    let (mut values, names) = (Vec::new(), conserved.names());
+    conserved.append(time, momentum, &mut values);
+    let found = names.iter().zip(&values).find(|(_, value)| !value.is_finite());
+    found.map_or("a quantity has no value".into(), |(name, value)| format!("{name} is {value}"))
 }

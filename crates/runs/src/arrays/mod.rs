@@ -10,4 +10,4 @@ mod sites;
 mod chains;
 mod fluids;
 mod systems;
-pub(crate) mod temperature;
+pub(crate) mod open;

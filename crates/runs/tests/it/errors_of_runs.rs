@@ -10,8 +10,8 @@ use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 use lie_poisson_formulas::{Coordinates, Formula, Parameters, Vocabulary};
 use lie_poisson_runs::contests::{Contest, TimedProblem};
 use lie_poisson_runs::{
-    Arguments, ArrayKind, EventFunctions, Experiment, LatticeTerms, Model, PathEnsemble,
-    RunFailure, Saved, Schedule, SpinDamping, TangentGrowth, ThermalLattice, TopInAxes, step_angle,
+    Arguments, ArrayKind, EventFunctions, Experiment, LatticeTerms, Model, OpenArrays,
+    PathEnsemble, RunFailure, Saved, Schedule, SpinDamping, TangentGrowth, TopInAxes, step_angle,
 };
 use nalgebra::Vector3;
 use std::collections::BTreeSet;
@@ -99,7 +99,7 @@ fn damped_without_tangents() -> RunFailure {
     let given = Arguments::new().list("shape", vec![2.0]).number("exchange", 1.0);
     let terms =
         LatticeTerms { damping: Some(SpinDamping::Gilbert(0.1)), ..LatticeTerms::default() };
-    let lattice = ThermalLattice::new(kind.system(&given).unwrap(), terms, 0.1).unwrap();
+    let lattice = OpenArrays::new(kind.system(&given).unwrap(), terms, 0.1).unwrap();
     let method = lattice.method(None, None, 0.0).unwrap();
     lattice.tangent_integrator(&method, &[0.0; 6]).unwrap_err()
 }

@@ -8,7 +8,7 @@ use lie_poisson_formula_systems::{
     Damping, FormulaSystem, NoiseFields, NoiseTerms, OpenSystem, OpenTerms, SystemAlgebra,
 };
 use lie_poisson_formulas::Parameters;
-use lie_poisson_runs::{Experiment, Pace, Schedule, TopInAxes};
+use lie_poisson_runs::{Experiment, Pace, RunFailure, Saved, Schedule, TopInAxes};
 use nalgebra::Vector3;
 
 pub const INERTIA: [f64; 3] = [2.0, 3.0, 4.0];
@@ -70,4 +70,22 @@ pub fn noisy(algebra: &str, hamiltonian: &str, pace: Pace) -> Experiment<OpenSys
     let scheme = "implicit-midpoint".parse().unwrap();
     let method = model.method("collective".parse().unwrap(), scheme, 0.0).unwrap();
     Experiment { model, start: vec![1.0, 0.0, 0.0], method, pace, attitude: false }
+}
+
+/// Returns the rows that are written from a saved moment on.
+pub fn rows(run: &Experiment, from: Option<&Saved>) -> Vec<Vec<f64>> {
+    let mut rows = Vec::new();
+    run.follow(from, |moment| -> Result<(), RunFailure> {
+        assert_eq!(moment.row.is_empty(), !run.pace.keeps(moment.step));
+        if run.pace.keeps(moment.step) {
+            rows.push(moment.row.to_vec());
+        }
+        Ok(())
+    })
+    .unwrap();
+    rows
+}
+
+pub fn last(run: &Experiment) -> Vec<f64> {
+    rows(run, None).pop().unwrap()
 }

@@ -127,6 +127,13 @@ impl HarmonicNoise {
         self.sum(|term| term.eigenvalue() / (16.0 * PI))
     }
 
+    /// Returns Σ_l σ_l² (l(l + 1))² (2l + 1)/4π, the mean of |Δξ|² in a unit of time: in a step h transport noise displaces
+    /// a fluid as does a flow whose vorticity times h has the mean square of this times h.
+    #[must_use]
+    pub fn vorticity_variance(&self) -> f64 {
+        self.sum(|term| term.eigenvalue() * term.eigenvalue() / (4.0 * PI))
+    }
+
     /// Returns Σ_l (2l + 1) σ_l², the mean rate of the [enstrophy](Zeitlin::enstrophy) by a force that is white in
     /// time.
     #[must_use]

@@ -6,7 +6,8 @@ use crate::open_fluids::harmonic_noise::HarmonicNoise;
 use crate::open_fluids::viscous_forcing::ViscousForcing;
 use collective_integrators::momentum_map::LiftError;
 use collective_integrators::{
-    BrownianPaths, Integrator, PathAndTime, RungeKutta, Start, Step, StepError, TorqueFlow,
+    BrownianPaths, Integrator, PathAndTime, RungeKutta, StageSolver, Start, Step, StepError,
+    TorqueFlow,
 };
 use isospectral_flows::{LargeSkewHermitian, NoisyIsospectral, NoisyIsospectralWorkspace};
 use lie_poisson::{Pair, State};
@@ -63,17 +64,16 @@ impl StochasticFluid {
     #[must_use]
     pub fn new(forcing: ViscousForcing, paths: BrownianPaths) -> Self {
         let none = HarmonicNoise::none(forcing.fluid());
-        let flow = Self::flow_of(&forcing, none.clone(), paths);
+        let (midpoint, fluid) = (RungeKutta::implicit_midpoint(), forcing.fluid().clone());
+        let flow = NoisyIsospectral::new(midpoint, fluid, none.clone(), paths);
         Self { flow, forcing, stirring: none }
     }
 
-    fn flow_of(
-        forcing: &ViscousForcing,
-        noise: HarmonicNoise,
-        paths: BrownianPaths,
-    ) -> NoisyIsospectral<RungeKutta, Zeitlin, HarmonicNoise> {
-        let midpoint = RungeKutta::implicit_midpoint();
-        NoisyIsospectral::new(midpoint, forcing.fluid().clone(), noise, paths)
+    /// Returns this with another solver for the stages of the midpoint rule.
+    #[must_use]
+    pub fn with_solver(self, solver: StageSolver) -> Self {
+        let midpoint = RungeKutta::implicit_midpoint().with_solver(solver);
+        Self { flow: self.flow.with_scheme(midpoint), ..self }
     }
 
     /// Returns this with the transport noise ξ, whose functions are stream functions.
@@ -82,8 +82,7 @@ impl StochasticFluid {
     /// Returns [`SystemError::Count`] if the noise is that of a fluid of another size.
     pub fn with_transport(self, noise: HarmonicNoise) -> Result<Self, SystemError> {
         self.check_size(&noise)?;
-        let flow = Self::flow_of(&self.forcing, noise, *self.flow.paths());
-        Ok(Self { flow, ..self })
+        Ok(Self { flow: self.flow.with_noise(noise), ..self })
     }
 
     /// Returns this with the stirring η, whose functions are vorticities.

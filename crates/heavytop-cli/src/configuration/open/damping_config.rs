@@ -4,7 +4,8 @@ use crate::errors::{Error, SystemTableError};
 use lie_poisson_formula_systems::{Damping, OpenNames};
 use serde::{Deserialize, Serialize};
 
-/// The table `[damping]`: a double bracket, which lowers the energy and keeps the Casimirs.
+/// The table `[damping]`: a double bracket, which lowers the energy and keeps the Casimirs; or the viscosity and the
+/// drag of a fluid.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct DampingConfig {
@@ -14,10 +15,34 @@ pub struct DampingConfig {
     /// Of a lattice of spins, which damping this is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub form: Option<DampingForm>,
+    /// Of a fluid on the sphere, the viscosity ν, at least 0: harmonics of degree l decay at the rate α + ν (l(l +
+    /// 1))ᵖ.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub viscosity: Option<f64>,
+    /// The power p of the Laplace operator in the viscosity: 1, or more for a hyperviscosity.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub power: Option<u32>,
+    /// Of a fluid on the sphere, the linear drag α, at least 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub drag: Option<f64>,
     /// The inner product ♯ on the dual of the algebra; the unit matrix where all coordinates are of one vector.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inner_product: Option<InnerProductConfig>,
 }
+
+/// The keys of `[damping]` and `[noise]` for tops and systems by formula, but for those that every noise has.
+pub(super) const FORMULA_KEYS: &[&str] = &[
+    "damping.friction",
+    "damping.inner_product",
+    "noise.temperature",
+    "noise.strength",
+    "noise.inner_product",
+    "noise.fields",
+    "noise.rule",
+];
+pub(super) const FORMULAS_HAVE: &str = "tops and systems by formula have friction and inner_product in [damping], and \
+                                        temperature, strength, inner_product, fields, rule, seed, path, interval and \
+                                        bound in [noise]";
 
 /// The form of the damping of spins on a lattice.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
@@ -46,6 +71,23 @@ pub enum InnerProductConfig {
 }
 
 impl DampingConfig {
+    /// Checks that there are no keys but some.
+    pub(super) fn require_only(
+        &self,
+        known: &[&str],
+        has: &'static str,
+    ) -> Result<(), SystemTableError> {
+        let given = [
+            ("damping.friction", self.friction.is_some()),
+            ("damping.form", self.form.is_some()),
+            ("damping.viscosity", self.viscosity.is_some()),
+            ("damping.power", self.power.is_some()),
+            ("damping.drag", self.drag.is_some()),
+            ("damping.inner_product", self.inner_product.is_some()),
+        ];
+        only(&given, known, has)
+    }
+
     /// Returns the friction.
     ///
     /// # Errors
@@ -60,13 +102,23 @@ impl DampingConfig {
     /// # Errors
     /// If the inner product is none, or is missing where it needs a choice.
     pub(super) fn damping(&self, names: &OpenNames, dimension: usize) -> Result<Damping, Error> {
-        if self.form.is_some() {
-            return Err(SystemTableError::FormOfLattice.into());
-        }
+        self.require_only(FORMULA_KEYS, FORMULAS_HAVE)?;
         let friction = self.required_friction()?;
         let rows = self.inner_product.as_ref().map(|given| given.rows(dimension));
         let inner_product = names.inner_product(rows.as_deref())?;
         Ok(Damping { friction, inner_product })
+    }
+}
+
+/// Checks that no keys are given but some.
+pub(super) fn only(
+    given: &[(&str, bool)],
+    known: &[&str],
+    has: &'static str,
+) -> Result<(), SystemTableError> {
+    match given.iter().find(|(key, is_there)| *is_there && !known.contains(key)) {
+        Some((key, _)) => Err(SystemTableError::OtherKey { key: (*key).to_owned(), has }),
+        None => Ok(()),
     }
 }
 

@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 /// Formulas by the names of the coordinates, or of the vectors of coordinates, to which they belong; what is left out is 0.
 pub type Element = BTreeMap<String, Formulas>;
 
-/// A formula, or the formulas of the components of a vector. Numbers are formulas, too.
+/// A formula, or the formulas of the components of a vector. Numbers are formulas, too. The force on a fluid has rows
+/// of numbers instead.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Formulas {
@@ -14,14 +15,20 @@ pub enum Formulas {
     One(String),
     /// The formulas of the components of a vector.
     Many(Vec<String>),
+    /// Coefficients of spherical harmonics, of a fluid alone.
+    Rows(Vec<[f64; 4]>),
 }
 
 /// What a file may have.
 #[derive(Deserialize)]
-#[serde(untagged, expecting = "expected a formula, such as \"-0.1*Pi1\", or an array of formulas")]
+#[serde(
+    untagged,
+    expecting = "expected a formula, such as \"-0.1*Pi1\", an array of formulas, or, for a fluid, rows [l, m, re, im] of numbers"
+)]
 enum Written {
     One(Entry),
     Many(Vec<Entry>),
+    Rows(Vec<[f64; 4]>),
 }
 
 #[derive(Deserialize)]
@@ -44,6 +51,7 @@ impl<'de> Deserialize<'de> for Formulas {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         Ok(match Written::deserialize(from)? {
             Written::One(entry) => Self::One(entry.into()),
+            Written::Rows(rows) => Self::Rows(rows),
             Written::Many(entries) => Self::Many(entries.into_iter().map(String::from).collect()),
         })
     }
@@ -56,6 +64,8 @@ impl Formulas {
         match self {
             Self::One(text) => vec![text.clone()],
             Self::Many(texts) => texts.clone(),
+            // No formula: the parser says so.
+            Self::Rows(rows) => rows.iter().map(|row| format!("{row:?}")).collect(),
         }
     }
 }

@@ -7,10 +7,10 @@ mod damping_config;
 mod noise_config;
 mod open_tables;
 mod open_run;
-mod lattice_run;
+mod array_run;
 
 pub use damping_config::{DampingConfig, DampingForm, InnerProductConfig};
 pub use element::{Element, Formulas};
 pub use input_config::InputConfig;
-pub use noise_config::NoiseConfig;
+pub use noise_config::{NoiseConfig, Shell, ShellConfig};
 pub(crate) use open_run::{OpenModel, OpenStart};

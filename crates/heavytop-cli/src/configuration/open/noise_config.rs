@@ -1,14 +1,16 @@
 //! The table `[noise]`: [`NoiseConfig`].
 
-use super::damping_config::InnerProductConfig;
+use super::damping_config::{FORMULA_KEYS, FORMULAS_HAVE, InnerProductConfig, only};
 use super::element::{Element, parts};
 use crate::errors::{Error, SystemTableError};
 use collective_integrators::NoiseRule;
 use lie_poisson::IsotropicNoise;
 use lie_poisson_formula_systems::{Damping, NoiseFields, NoiseTerms, OpenNames};
+use lie_poisson_runs::HarmonicShell;
 use serde::{Deserialize, Serialize};
 
-/// The table `[noise]`: of a temperature, of a strength in all directions, or of fields by formulas.
+/// The table `[noise]`: of a temperature, of a strength in all directions, or of fields by formulas; or the transport
+/// noise and the stirring of a fluid.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct NoiseConfig {
@@ -24,6 +26,12 @@ pub struct NoiseConfig {
     /// Fields σ_k by formulas, each with a Brownian motion of its own.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fields: Vec<Element>,
+    /// Of a fluid on the sphere, noise that carries it along, σ in 1/√t.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub transport: Option<ShellConfig>,
+    /// Of a fluid on the sphere, a force that is white in time, σ in 1/(t√t).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stirring: Option<ShellConfig>,
     /// The seed of the random numbers.
     #[serde(default = "first_seed")]
     pub seed: u64,
@@ -39,6 +47,51 @@ pub struct NoiseConfig {
     /// The bound of an increment, in standard deviations.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bound: Option<f64>,
+}
+
+/// Shells of spherical harmonics in which a fluid has noise: one, or an array of them.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(
+    untagged,
+    expecting = "expected a shell, such as { degrees = [8, 10], strength = 0.1 }, or an array of shells"
+)]
+pub enum ShellConfig {
+    /// One shell.
+    One(Shell),
+    /// Several shells.
+    Many(Vec<Shell>),
+}
+
+/// A shell of spherical harmonics.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Shell {
+    /// The least and the largest degree.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub degrees: Option<[usize; 2]>,
+    /// The strength σ in each harmonic.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strength: Option<f64>,
+}
+
+impl ShellConfig {
+    /// Returns the shells of a table.
+    ///
+    /// # Errors
+    /// If one of them lacks its degrees or its strength.
+    pub(super) fn shells(&self, table: &str) -> Result<Vec<HarmonicShell>, SystemTableError> {
+        let shells = match self {
+            Self::One(shell) => core::slice::from_ref(shell),
+            Self::Many(shells) => shells,
+        };
+        let missing = |key| SystemTableError::MissingKey { table: table.into(), key };
+        let shell = |shell: &Shell| {
+            let degrees = shell.degrees.ok_or_else(|| missing("degrees"))?;
+            let strength = shell.strength.ok_or_else(|| missing("strength"))?;
+            Ok(HarmonicShell { degrees, strength })
+        };
+        shells.iter().map(shell).collect()
+    }
 }
 
 /// The seed where none is written.
@@ -58,6 +111,24 @@ pub enum Rule {
 }
 
 impl NoiseConfig {
+    /// Checks that there are no keys but some, besides those that every noise has.
+    pub(super) fn require_only(
+        &self,
+        known: &[&str],
+        has: &'static str,
+    ) -> Result<(), SystemTableError> {
+        let given = [
+            ("noise.temperature", self.temperature.is_some()),
+            ("noise.strength", self.strength.is_some()),
+            ("noise.inner_product", self.inner_product.is_some()),
+            ("noise.fields", !self.fields.is_empty()),
+            ("noise.rule", self.rule != Rule::Together),
+            ("noise.transport", self.transport.is_some()),
+            ("noise.stirring", self.stirring.is_some()),
+        ];
+        only(&given, known, has)
+    }
+
     /// Returns the noise on an algebra.
     ///
     /// # Errors
@@ -68,6 +139,7 @@ impl NoiseConfig {
         dimension: usize,
         damping: Option<&Damping>,
     ) -> Result<NoiseTerms, Error> {
+        self.require_only(FORMULA_KEYS, FORMULAS_HAVE)?;
         let fields = match (self.temperature, self.strength, self.fields.as_slice()) {
             (Some(temperature), None, []) if self.inner_product.is_none() => {
                 NoiseFields::thermal(damping, temperature)?

@@ -12,6 +12,11 @@ impl Config {
     /// Returns the name of a table of open systems that the configuration has.
     #[must_use]
     pub(crate) fn open_table(&self) -> Option<&'static str> {
+        self.open_tables().next()
+    }
+
+    /// Returns the names of the tables of open systems that the configuration has.
+    pub(super) fn open_tables(&self) -> impl Iterator<Item = &'static str> {
         let tables = [
             ("inputs", self.inputs.is_some()),
             ("drive", self.drive.is_some()),
@@ -19,17 +24,17 @@ impl Config {
             ("noise", self.noise.is_some()),
             ("torque", self.torque.is_some()),
         ];
-        tables.into_iter().find_map(|(name, is_there)| is_there.then_some(name))
+        tables.into_iter().filter_map(|(name, is_there)| is_there.then_some(name))
     }
 
     /// Returns what drives, damps, shakes or forces the system, in words of a caption.
     pub(crate) fn forces(&self) -> Option<String> {
-        let noise = self.noise.as_ref();
+        let (damping, noise) = (self.damping.as_ref(), self.noise.as_ref());
         let words = [
             self.drive.as_ref().map(|_| "driven".into()),
-            self.damping
-                .as_ref()
-                .and_then(|damping| Some(format!("friction {}", damping.friction?))),
+            damping.and_then(|damping| Some(format!("friction {}", damping.friction?))),
+            damping.and_then(|damping| Some(format!("viscosity {}", damping.viscosity?))),
+            damping.and_then(|damping| Some(format!("drag {}", damping.drag?))),
             noise.map(|noise| format!("noise of seed {}, path {}", noise.seed, noise.path)),
             self.torque.as_ref().map(|_| "under a torque".into()),
         ];

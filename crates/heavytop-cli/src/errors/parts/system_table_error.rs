@@ -81,26 +81,21 @@ pub enum SystemTableError {
     /// A command that follows closed systems alone got a table of open ones.
     #[error(
         "[{table}] is for tops and systems by formula in simulate, events, sweep and ensemble; a spin-lattice has [damping] and \
-         [noise] in simulate and ensemble; other commands, and other systems of arrays, have no forces"
+         [noise], and a sphere-fluid these and [torque], in simulate and ensemble; other commands, and other systems of \
+         arrays, have no forces"
     )]
     OpenTable {
         /// The name of the table.
         table: &'static str,
     },
-    /// A key of forces does not fit a lattice of spins.
-    #[error(
-        "{key} is for tops and systems by formula: a spin-lattice has friction and form in [damping], and temperature, \
-         seed, path, interval and bound in [noise]"
-    )]
-    KeyOfFormulas {
+    /// A key of the tables of forces is of other systems.
+    #[error("{key} is of other systems: {has}")]
+    OtherKey {
         /// The path of the key.
-        key: &'static str,
+        key: String,
+        /// The keys that systems of this kind have.
+        has: &'static str,
     },
-    /// The form of a damping is given of something else than a lattice of spins.
-    #[error(
-        "form in [damping] is of a spin-lattice: tops and other systems have the double bracket"
-    )]
-    FormOfLattice,
     /// A table of formulas has none.
     #[error("[{table}] has no formulas")]
     NoForces {
@@ -156,11 +151,10 @@ pub enum SystemTableError {
 impl SystemTableError {
     /// Returns where the error is: `[system]`, or the tables beside it.
     #[must_use]
-    pub const fn table(&self) -> &'static str {
+    pub fn table(&self) -> &'static str {
         match self {
             Self::OpenTable { .. }
-            | Self::KeyOfFormulas { .. }
-            | Self::FormOfLattice
+            | Self::OtherKey { .. }
             | Self::NoForces { .. }
             | Self::MissingKey { .. }
             | Self::TwoTables { .. }
@@ -169,6 +163,11 @@ impl SystemTableError {
             | Self::OpenRod
             | Self::TorqueOnVertical
             | Self::Formula(FormulaSystemError::Open(_)) => "forces",
+            Self::Formula(FormulaSystemError::KindValue { name, .. })
+                if key_of_forces(name).is_some() =>
+            {
+                "forces"
+            }
             _ => "[system]",
         }
     }
@@ -207,8 +206,7 @@ impl SystemTableError {
             Self::Parameter { table, name, .. } => vec![(format!("system.{table}.{name}"), "")],
             Self::Formula(error) => keys_of(error),
             Self::OpenTable { table } => key(table, "remove the table"),
-            Self::KeyOfFormulas { key: path } => vec![((*path).to_owned(), "leave it out")],
-            Self::FormOfLattice => key("damping.form", "leave it out"),
+            Self::OtherKey { key: path, .. } => key(path, "leave it out"),
             Self::NoForces { table } => key(table, "write formulas, or remove the table"),
             Self::MissingKey { table, .. } => key(table, "add the key"),
             Self::TwoTables { input } => {
@@ -227,6 +225,19 @@ impl SystemTableError {
 /// Returns the path of a key of `[system]`, or that of the table.
 fn below_system(key: &str) -> String {
     if key.is_empty() { "system".into() } else { format!("system.{key}") }
+}
+
+/// Returns the key of the tables of forces that gives a number of this name, if there is one.
+fn key_of_forces(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "viscosity" => "damping.viscosity",
+        "power" => "damping.power",
+        "drag" => "damping.drag",
+        "torque" => "torque.coefficients",
+        "transport" => "noise.transport",
+        "stirring" => "noise.stirring",
+        _ => return None,
+    })
 }
 
 /// Returns the keys that may be at fault for an error of the library.
@@ -248,6 +259,9 @@ fn keys_of(error: &FormulaSystemError) -> Vec<(String, &'static str)> {
             [format!("{table}.{name}"), "kind".into()].map(|of| (below_system(&of), "")).to_vec()
         }
         E::KindValue { kind, name, .. } => {
+            if let Some(path) = key_of_forces(name) {
+                return vec![(path.to_owned(), "")];
+            }
             let start = SystemKind::named(kind).ok().and_then(|kind| kind.start);
             let start = start.map(|start| start.given);
             let start = start.or_else(|| ArrayKind::named(kind).map(|kind| kind.start));

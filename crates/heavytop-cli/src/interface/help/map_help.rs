@@ -43,7 +43,7 @@ An error of the mean by the step is beside the standard error: of weak order 1 i
 with noise.rule = \"alternating\" and a scheme of order 4 or more. Half the step shows it.";
 
 pub(crate) const ENSEMBLE_EXAMPLES: &str = "\
-Configuration: as of simulate, with [noise], of a top, a system or a spin-lattice
+Configuration: as of simulate, with [noise], of a top, a system, a spin-lattice, a sphere-fluid
 Examples:
   heavytop ensemble spin.toml --out means.csv
   heavytop ensemble spin.toml --paths 10000 --quantiles 0.01,0.99 --out means.csv

@@ -219,6 +219,19 @@ Beside a spin-lattice, for simulate and ensemble, where the method is direct, im
   [noise]                            # temperature, seed, path, bound, interval, as above
   temperature = 0.5                  # kT, with [damping]; the columns h, M1, M2, M3 and C
 
+Beside a sphere-fluid, for simulate and ensemble, where the method is reduced, implicit-midpoint:
+  [damping]                          # degree l decays at the rate drag + viscosity (l(l + 1))^power
+  viscosity = 1e-3                   # 1/t on the unit sphere; it has no way backward in time
+  power = 1                          # 1 to 32; above 1 it is a hyperviscosity
+  drag = 0.1                         # 1/t
+  [torque]                           # a constant force: the rate of the vorticity
+  coefficients = [[4, 0, 0.5, 0]]    # rows [l, m, re, im], 1/t^2
+  [noise]                            # one or both, in one shell or in an array of shells; and seed,
+                                     # path, bound, interval, as above
+  transport = { degrees = [8, 10], strength = 0.001 }  # stream functions, 1/sqrt(t): they carry the
+                                     # vorticity along, and alone they keep its Casimirs, such as Z
+  stirring = { degrees = [8, 10], strength = 0.1 }     # vorticities, 1/(t sqrt(t))
+
 Systems of arrays, of any size, which simulate and sweep follow; * as above. FILE.npz has one array
 a quantity, and heavytop plot draws it, heavytop export writes it for ParaView and OOMMF:
   spin-lattice        shape of one to three axes, exchange* (0), bonds*, periodic* (1; 0 for open

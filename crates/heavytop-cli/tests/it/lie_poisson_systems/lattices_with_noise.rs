@@ -2,8 +2,8 @@
 
 use crate::program::{Finished, Folder, numbers};
 use lie_poisson_runs::{
-    Arguments, ArrayKind, Experiment, LatticeNoise, LatticeTerms, Pace, RunFailure, Schedule,
-    SpinDamping, ThermalLattice,
+    Arguments, ArrayKind, Experiment, LatticeNoise, LatticeTerms, NoisePaths, OpenArrays, Pace,
+    RunFailure, Schedule, SpinDamping,
 };
 
 /// A ring of spins at kT = 0.5 J.
@@ -38,11 +38,10 @@ fn rows(damping: SpinDamping, path: Option<u64>) -> Vec<Vec<f64>> {
     let ring = ArrayKind::named("spin-lattice").unwrap().system(&given).unwrap();
     let start = Arguments::new().list("direction", vec![0.0, 0.0, 1.0]);
     let start = ring.start_of(&start).unwrap();
-    let (temperature, seed) = (0.5, 1);
-    let noise =
-        path.map(|path| LatticeNoise { temperature, seed, path, interval: None, bound: None });
+    let paths = |path| NoisePaths { path, ..NoisePaths::default() };
+    let noise = path.map(|path| LatticeNoise { temperature: 0.5, paths: paths(path) });
     let terms = LatticeTerms { damping: Some(damping), noise };
-    let model = ThermalLattice::new(ring, terms, 0.05).unwrap();
+    let model = OpenArrays::new(ring, terms, 0.05).unwrap();
     let method = model.method(None, None, 0.0).unwrap();
     let pace = Pace { schedule: Schedule::new(0.05, 4.0).unwrap(), every: 20 };
     let run = Experiment { model, start, method, pace, attitude: false };
@@ -186,7 +185,7 @@ fn errors_name_the_value_the_bound_and_the_line() {
             "friction = 1",
             "friction = 1\ninner_product = 2",
             &[
-                "damping.inner_product is for tops",
+                "damping.inner_product is of other systems",
                 "a spin-lattice has friction and form",
                 "^ leave it out",
             ],
@@ -194,10 +193,14 @@ fn errors_name_the_value_the_bound_and_the_line() {
         ("[damping]\nfriction = 1", "", &["a temperature needs a friction", "add [damping]"]),
         ("temperature = 0.5", "temperature = nan", &["it is NaN"]),
         ("temperature = 0.5", "", &["temperature is missing in [noise]"]),
-        ("temperature = 0.5", "strength = 1", &["noise.strength is for tops", "strength = 1"]),
-        ("temperature = 0.5", "temperature = 1\nrule = 'alternating'", &["noise.rule is for"]),
-        ("temperature = 0.5", "temperature = 1\ninner_product = 1", &["noise.inner_product is"]),
-        ("temperature = 0.5", "fields = [{ S = [0, 0, 1] }]", &["noise.fields is for tops"]),
+        (
+            "temperature = 0.5",
+            "strength = 1",
+            &["noise.strength is of other systems", "strength = 1"],
+        ),
+        ("temperature = 0.5", "temperature = 1\nrule = 'alternating'", &["noise.rule is of"]),
+        ("temperature = 0.5", "temperature = 1\ninner_product = 1", &["noise.inner_product is of"]),
+        ("temperature = 0.5", "fields = [{ S = [0, 0, 1] }]", &["noise.fields is of other"]),
         ("temperature = 0.5", "temperature = 1\ninterval = 1e-9", &["must be at least 0.000005"]),
         ("temperature = 0.5", "temperature = 1\npath = 9007199254740992", &["below 900719925474"]),
         ("temperature = 0.5", "temperature = 1\nbound = 0.5", &["1 standard deviation or more"]),
@@ -206,7 +209,10 @@ fn errors_name_the_value_the_bound_and_the_line() {
         (
             "step = 0.05",
             "step = 0.05\nscheme = 'gauss-8'",
-            &["friction or noise has no direct gauss-8; direct has implicit-midpoint", "^^"],
+            &[
+                "friction, forces or noise has no direct gauss-8; direct has implicit-midpoint",
+                "^^",
+            ],
         ),
         (
             "step = 0.05",
@@ -244,7 +250,10 @@ fn errors_name_the_value_the_bound_and_the_line() {
                 "damping.form='gilbert'",
             ]);
             let told = done.stderr();
-            assert!(done.code() == 2 && told.contains("form in [damping] is of a spin"), "{told}");
+            assert!(
+                done.code() == 2 && told.contains("damping.form is of other systems: tops"),
+                "{told}"
+            );
         }
         assert_eq!(folder.names(), ["a.toml"], "{new}");
     }

@@ -1,5 +1,6 @@
 //! Systems that a configuration describes by an algebra and a formula.
 
+mod fluids_with_forces;
 mod kinds_of_systems;
 mod system_sections;
 mod sweeps_with_forces;

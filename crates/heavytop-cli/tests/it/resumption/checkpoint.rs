@@ -88,6 +88,10 @@ fn a_killed_run_of_arrays_goes_on_to_the_same_bytes() {
     let fluid = "[system]\nkind = 'sphere-fluid'\nparameters = { size = 8 }\ninitial = { degrees = [1, 5] }\n\
         [integrator]\nscheme = 'gauss-4'\nstep = 0.02\nend = 100\n[output]\nevery = 30\n";
     kill_and_go_on(fluid, "a.csv", [0, 30]);
+    let stirred = fluid.replace("scheme = 'gauss-4'\n", "").replace("end = 100", "end = 50")
+        + "[damping]\nviscosity = 0.01\n[noise]\ntransport = { degrees = [2, 3], strength = 0.01 }\n\
+           stirring = { degrees = [3, 3], strength = 0.1 }\n";
+    kill_and_go_on(&stirred, "a.csv", [0, 30]);
 }
 
 #[test]

@@ -19,7 +19,7 @@ const ASSIGNMENTS: [(&str, &str); 4] = [
 ];
 
 /// Configurations of runs of tops.
-const RUNS: [(&str, &str); 22] = [
+const RUNS: [(&str, &str); 21] = [
     ("Error::Body", "body.mass = -1"),
     ("Error::Vertical", "initial.vertical = [0, 0, 2]"),
     ("Error::Spin", "body = { inertia = [2, 2, 0], center_of_mass = [0, 0, 1] }"),
@@ -41,11 +41,7 @@ const RUNS: [(&str, &str); 22] = [
     ("SystemTableError::NoForces", "[torque]"),
     ("SystemTableError::MissingKey", "[damping]"),
     (
-        "SystemTableError::FormOfLattice",
-        "[damping]\nform = 'gilbert'\nfriction = 1\ninner_product = 1",
-    ),
-    (
-        "SystemTableError::KeyOfFormulas",
+        "SystemTableError::OtherKey",
         "damping.inner_product = 1\n[system]\nkind = 'spin-lattice'\n\
          parameters = { shape = [2], exchange = 1 }\ninitial.tilt = 1",
     ),

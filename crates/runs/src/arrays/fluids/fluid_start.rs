@@ -26,7 +26,13 @@ pub(super) fn fluid_start(fluid: &SphereFluid, given: &Given<'_>) -> Started {
         true => random(fluid, given)?,
         false => VorticityCoefficients::zeros(fluid.size()),
     };
-    add(&mut omega, given)?;
+    let refused = |needed| given.refused("coefficients", needed);
+    let (rows, rest) = given.values("coefficients").as_chunks();
+    if !rest.is_empty() {
+        let found = 4 * rows.len() + rest.len();
+        return Err(refused(format!("rows of four numbers, [l, m, re, im], got {found} numbers")));
+    }
+    add(&mut omega, rows).map_err(refused)?;
     let mut state = vec![0.0; fluid.size() * fluid.size()];
     fluid.write(&omega, &mut state);
     Ok(state)
@@ -99,26 +105,25 @@ fn random(
     Ok(VorticityCoefficients::from_fn(n, |l, m| omega.at(l, m) * factor))
 }
 
-/// Adds the coefficients that are given one by one.
-fn add(omega: &mut VorticityCoefficients, given: &Given<'_>) -> Result<(), FormulaSystemError> {
-    let (rows, last) = (given.values("coefficients"), omega.size() - 1);
-    let refused = |needed: String| Err(given.refused("coefficients", needed));
-    if !rows.len().is_multiple_of(4) {
-        return refused(format!(
-            "rows of four numbers, [l, m, re, im], got {} numbers",
-            rows.len()
-        ));
-    }
-    for [l, m, re, im] in rows.as_chunks::<4>().0 {
+/// Adds the coefficients that are given one by one, as rows l, m, re, im.
+///
+/// # Errors
+/// If they are no such rows: what they must be, and what they are.
+pub(in crate::arrays) fn add(
+    omega: &mut VorticityCoefficients,
+    rows: &[[f64; 4]],
+) -> Result<(), String> {
+    let last = omega.size() - 1;
+    for [l, m, re, im] in rows {
         let degree = whole(*l, [1, last]);
         let order = degree.and_then(|l| whole(*m, [0, l]));
         let (Some(l), Some(m)) = (degree, order) else {
             // The mean vorticity of a sphere is zero: there is no degree 0.
             let range = format!("degrees l from 1 to {last} and orders m from 0 to l");
-            return refused(format!("{range}, got l = {l}, m = {m}"));
+            return Err(format!("{range}, got l = {l}, m = {m}"));
         };
         if m == 0 && *im != 0.0 {
-            return refused(format!("real for m = 0, got im = {im} for l = {l}"));
+            return Err(format!("real for m = 0, got im = {im} for l = {l}"));
         }
         omega.set(l, m, omega.at(l, m) + Complex::new(*re, *im));
     }

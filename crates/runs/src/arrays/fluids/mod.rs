@@ -1,5 +1,5 @@
 //! Fluids on the sphere.
 
-mod fluid_start;
+pub(super) mod fluid_start;
 pub(super) mod sphere_fluid;
 mod sphere_fluid_arrays;

@@ -5,16 +5,16 @@ use lie_poisson_systems::isospectral_flows::{IsospectralField, LargeSkewHermitia
 use lie_poisson_systems::num_complex::Complex;
 use lie_poisson_systems::{VorticityCoefficients, Zeitlin};
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(in crate::arrays) struct SphereFluid(pub(in crate::arrays) Zeitlin);
 
 impl SphereFluid {
-    pub(super) fn size(&self) -> usize {
+    pub(in crate::arrays) fn size(&self) -> usize {
         self.0.size()
     }
 
     /// Returns the matrix of a state.
-    pub(super) fn matrix(&self, state: &[f64]) -> LargeSkewHermitian {
+    pub(in crate::arrays) fn matrix(&self, state: &[f64]) -> LargeSkewHermitian {
         let mut w = LargeSkewHermitian::zeros(self.size());
         w.set_coordinates(|i| state.get(i).copied().unwrap_or(f64::NAN));
         w

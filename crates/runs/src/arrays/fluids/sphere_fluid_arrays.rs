@@ -4,6 +4,9 @@ use super::fluid_start::fluid_start;
 use super::sphere_fluid::SphereFluid;
 use crate::arrays::any_arrays::{ArrayShape, Arrays, Started};
 use crate::arrays::arguments::Given;
+use crate::arrays::open::array_terms::ArrayTerms;
+use crate::arrays::open::opened::Opening;
+use crate::arrays::open::opened_fluid::OpenedFluid;
 use crate::arrays::renewed::{Renewed, resumable_after};
 use crate::error::RunFailure;
 use collective_integrators::{AnyIntegrator, AnyState, AnyTangents, Direct, VectorField};
@@ -105,6 +108,13 @@ impl Arrays for SphereFluid {
         let direct = Direct::new(scheme, ZeitlinCoordinates(self.0.clone()));
         let renewed = Renewed { integrator: direct, period };
         Ok(AnyIntegrator::of_states_with_tangents(renewed, &state, &state))
+    }
+
+    fn opened(&self, terms: &ArrayTerms, step: f64) -> Option<Opening> {
+        match terms {
+            ArrayTerms::Fluid(terms) => Some(OpenedFluid::of(self, terms, step)),
+            ArrayTerms::Lattice(_) => None,
+        }
     }
 
     fn start(&self, given: &Given<'_>) -> Started {

@@ -1,9 +1,11 @@
 //! Spins and vortices as a system of arrays: [`SitesArrays`].
 
-use super::open_lattice::OpenLattice;
 use super::sites_system::{SitesSystem, momenta, numbers, total};
 use crate::arrays::any_arrays::{ArrayShape, Arrays, Started};
 use crate::arrays::arguments::Given;
+use crate::arrays::open::array_terms::ArrayTerms;
+use crate::arrays::open::opened::Opening;
+use crate::arrays::open::opened_lattice::OpenedLattice;
 use crate::error::RunFailure;
 use collective_integrators::{AnyIntegrator, AnyTangents, VectorField};
 use core::fmt;
@@ -111,10 +113,12 @@ impl Arrays for SitesArrays {
         self.system.tangent_integrator(method, self.count())
     }
 
-    fn lattice(&self) -> Option<&OpenLattice> {
-        match &self.system {
-            SitesSystem::Spins(lattice) => Some(lattice),
-            SitesSystem::Vortices(_) => None,
+    fn opened(&self, terms: &ArrayTerms, step: f64) -> Option<Opening> {
+        match (&self.system, terms) {
+            (SitesSystem::Spins(lattice), ArrayTerms::Lattice(terms)) => {
+                Some(OpenedLattice::of(lattice, terms, step))
+            }
+            _ => None,
         }
     }
 

@@ -1,11 +1,10 @@
 //! Runs of systems of arrays: starts, resumption, threads, units, and what is refused.
 
 use crate::arrays::array_systems::{after, lattice, system};
+use crate::support::{pace, rows};
 use collective_integrators::diagnostics::SystemScales;
 use heavytop::methods::{Formulation, SchemeName};
-use lie_poisson_runs::{
-    Arguments, ArrayKind, ArraySystem, Experiment, Model, Pace, RunFailure, Saved, Schedule,
-};
+use lie_poisson_runs::{Arguments, ArrayKind, ArraySystem, Experiment, Model, Pace, RunFailure};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -21,24 +20,6 @@ fn experiment(
     let start = Model::start(&model, &model.start_of(given).unwrap()).unwrap();
     let method = model.method(formulation, scheme, 0.0).unwrap();
     Experiment { model, start, method, pace, attitude: false }
-}
-
-fn pace(step: f64, end: f64, every: u64) -> Pace {
-    Pace { schedule: Schedule::new(step, end).unwrap(), every }
-}
-
-/// Returns the rows that are written from a saved moment on.
-fn rows(run: &Experiment, from: Option<&Saved>) -> Vec<Vec<f64>> {
-    let mut rows = Vec::new();
-    run.follow(from, |moment| -> Result<(), RunFailure> {
-        assert_eq!(moment.row.is_empty(), !run.pace.keeps(moment.step));
-        if run.pace.keeps(moment.step) {
-            rows.push(moment.row.to_vec());
-        }
-        Ok(())
-    })
-    .unwrap();
-    rows
 }
 
 /// A run of a large system can be resumed after fewer steps than that of a small one, with the same bits.

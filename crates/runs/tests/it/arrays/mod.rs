@@ -1,5 +1,6 @@
-//! Systems of arrays: their equations, their runs, and lattices of spins at a temperature.
+//! Systems of arrays: their equations, their runs, and those with friction, forces and noise.
 
 mod array_runs;
 mod array_systems;
-mod thermal_lattices;
+mod open_fluids;
+mod open_lattices;

@@ -1,20 +1,24 @@
 //! Lattices of spins with friction, and at a temperature.
 
 use crate::arrays::array_systems::{lattice, system};
-use crate::support::pace;
+use crate::support::{last, pace, rows};
 use collective_integrators::diagnostics::SystemScales;
 use collective_integrators::{AnyState, Integrator, Start};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson_formula_systems::FormulaSystemError;
 use lie_poisson_runs::{
-    Arguments, ArraySystem, Experiment, LatticeNoise, LatticeTerms, Model, PathEnsemble,
-    RunFailure, Saved, SpinDamping, ThermalLattice,
+    Arguments, ArraySystem, Experiment, LatticeNoise, LatticeTerms, Model, NoisePaths, OpenArrays,
+    PathEnsemble, RunFailure, SpinDamping,
 };
 
 const FRICTION: SpinDamping = SpinDamping::LandauLifshitz(1.0);
 
 fn noise(temperature: f64) -> LatticeNoise {
-    LatticeNoise { temperature, seed: 1, path: 0, interval: None, bound: None }
+    LatticeNoise { temperature, paths: NoisePaths::default() }
+}
+
+fn on(path: u64) -> NoisePaths {
+    NoisePaths { path, ..NoisePaths::default() }
 }
 
 fn at(temperature: f64) -> LatticeTerms {
@@ -37,29 +41,15 @@ fn run(
     terms: LatticeTerms,
     direction: [f64; 3],
     (step, end, every): (f64, f64, u64),
-) -> Experiment<ThermalLattice> {
+) -> Experiment<OpenArrays> {
     let start = lattice.start_of(&Arguments::new().list("direction", direction.to_vec())).unwrap();
-    let model = ThermalLattice::new(lattice, terms, step).unwrap();
+    let model = OpenArrays::new(lattice, terms, step).unwrap();
     let method = model.method(None, None, 0.0).unwrap();
     Experiment { model, start, method, pace: pace(step, end, every), attitude: false }
 }
 
-fn rows(run: &Experiment, from: Option<&Saved>) -> Vec<Vec<f64>> {
-    let mut rows = Vec::new();
-    run.follow(from, |moment| -> Result<(), RunFailure> {
-        rows.push(moment.row.to_vec());
-        Ok(())
-    })
-    .unwrap();
-    rows
-}
-
-fn last(run: &Experiment) -> Vec<f64> {
-    rows(run, None).pop().unwrap()
-}
-
-/// With the friction b and the factor a of the field, ds₃/dt = bB(1 − s₃²), and the spin goes round e₃ by the angle aBt. The
-/// error of the midpoint rule is of the order h².
+/// With the friction b and the factor a of the field, ds₃/dt = bB(1 − s₃²), and the spin goes round e₃ by the angle
+/// aBt. The error of the midpoint rule is of the order h².
 #[test]
 fn damped_spins_have_their_closed_forms() {
     let gilbert = 0.5;
@@ -86,7 +76,7 @@ fn damped_spins_have_their_closed_forms() {
 #[test]
 fn the_rate_is_the_limit_of_steps() {
     let terms = damped(SpinDamping::Gilbert(0.4));
-    let model = ThermalLattice::new(lattice(&[2.0, 3.0], 0.7), terms, 1e-4).unwrap();
+    let model = OpenArrays::new(lattice(&[2.0, 3.0], 0.7), terms, 1e-4).unwrap();
     let start: Vec<f64> = (0..18).map(|i| (f64::from(i) * 1.7).sin()).collect();
     let method = model.method(None, None, 0.0).unwrap();
     let integrator = model.integrator(&method, &start).unwrap();
@@ -109,8 +99,8 @@ fn the_rate_is_the_limit_of_steps() {
     assert!(model.rate(&start[1..]).is_err());
 }
 
-/// The energy per bond of a long ring is −J (coth K − 1/K), K = J/kT, by the transfer operator: (coth K − 1/K)ᴺ is left out. It is
-/// the mean over the last three quarters of 16 paths, with the standard error from their differences.
+/// The energy per bond of a long ring is −J (coth K − 1/K), K = J/kT, by the transfer operator: (coth K − 1/K)ᴺ is left
+/// out. It is the mean over the last three quarters of 16 paths, with the standard error from their differences.
 #[test]
 fn the_energy_of_a_ring_is_that_of_its_temperature() {
     let sites = 48.0;
@@ -118,8 +108,9 @@ fn the_energy_of_a_ring_is_that_of_its_temperature() {
     let mut means = Vec::new();
     for path in 0..16 {
         let mut run = run.clone();
-        let terms = LatticeTerms { noise: Some(LatticeNoise { path, ..noise(0.5) }), ..at(0.5) };
-        run.model = ThermalLattice::new(run.model.system().clone(), terms, 0.05).unwrap();
+        let terms =
+            LatticeTerms { noise: Some(LatticeNoise { paths: on(path), ..noise(0.5) }), ..at(0.5) };
+        run.model = OpenArrays::new(run.model.system().clone(), terms, 0.05).unwrap();
         let rows = rows(&run, None);
         let some = &rows[rows.len() / 4..];
         let h = 3 * sites as usize + 1;
@@ -146,8 +137,9 @@ fn an_ensemble_follows_the_paths_of_a_lattice() {
     let row = paths.follow(&run, |_| true).unwrap().unwrap().pop().unwrap();
     let h = |path| {
         let mut run = run.clone();
-        let terms = LatticeTerms { noise: Some(LatticeNoise { path, ..noise(1.0) }), ..at(1.0) };
-        run.model = ThermalLattice::new(run.model.system().clone(), terms, 0.05).unwrap();
+        let terms =
+            LatticeTerms { noise: Some(LatticeNoise { paths: on(path), ..noise(1.0) }), ..at(1.0) };
+        run.model = OpenArrays::new(run.model.system().clone(), terms, 0.05).unwrap();
         last(&run)[10]
     };
     let mean = (0..5).map(h).sum::<f64>() / 5.0;
@@ -192,7 +184,7 @@ fn strong_noise_has_its_angle_and_a_warning() {
         let terms = LatticeTerms { damping: Some(damping), noise: Some(noise(4.0)) };
         let lattice = lattice(&[2.0], 1.0);
         let start = lattice.start_of(&given).unwrap();
-        let model = ThermalLattice::new(lattice, terms, 0.02).unwrap();
+        let model = OpenArrays::new(lattice, terms, 0.02).unwrap();
         let angle = model.noise_angle(&start, -0.02).unwrap();
         assert!((angle - (2.0 * friction * 4.0 * 0.02_f64).sqrt()).abs() < 1e-15);
         let method = model.method(None, None, 0.0).unwrap();
@@ -204,38 +196,40 @@ fn strong_noise_has_its_angle_and_a_warning() {
         assert!(warning(0.02).contains("the noise turns the state by about 4.0e-1 rad"));
         assert_eq!(warning(0.01), "");
     }
-    let still = ThermalLattice::new(lattice(&[2.0], 1.0), damped(FRICTION), 0.1).unwrap();
+    let still = OpenArrays::new(lattice(&[2.0], 1.0), damped(FRICTION), 0.1).unwrap();
     assert_eq!((still.noise_angle(&[0.0; 6], 0.1), still.noise()), (None, None));
 }
 
 #[test]
 fn what_a_lattice_cannot_have_is_refused() {
-    let refused = |terms, step| {
-        ThermalLattice::new(lattice(&[4.0], 1.0), terms, step).unwrap_err().to_string()
+    let refused =
+        |terms, step| OpenArrays::new(lattice(&[4.0], 1.0), terms, step).unwrap_err().to_string();
+    let noisy = |paths| LatticeTerms {
+        damping: Some(FRICTION),
+        noise: Some(LatticeNoise { paths, ..noise(1.0) }),
     };
-    let noisy = |noise| LatticeTerms { damping: Some(FRICTION), noise: Some(noise) };
     for (terms, part) in [
         (damped(SpinDamping::Gilbert(-0.5)), "0 or a positive number, it is -0.5"),
         (damped(SpinDamping::LandauLifshitz(f64::NAN)), "it is NaN"),
         (at(-1.0), "the temperature must be 0 or a positive number, it is -1"),
         (at(f64::INFINITY), "it is inf"),
         (LatticeTerms { damping: None, noise: Some(noise(1.0)) }, "a temperature needs a friction"),
-        (noisy(LatticeNoise { path: 1 << 53, ..noise(1.0) }), "below 9007199254740992"),
-        (noisy(LatticeNoise { interval: Some(1e-9), ..noise(1.0) }), "at least 0.00001, it is"),
-        (noisy(LatticeNoise { interval: Some(f64::NAN), ..noise(1.0) }), "it is NaN"),
-        (noisy(LatticeNoise { bound: Some(0.5), ..noise(1.0) }), "or more, it is 0.5"),
+        (noisy(NoisePaths { path: 1 << 53, ..on(0) }), "below 9007199254740992"),
+        (noisy(NoisePaths { interval: Some(1e-9), ..on(0) }), "at least 0.00001, it is"),
+        (noisy(NoisePaths { interval: Some(f64::NAN), ..on(0) }), "it is NaN"),
+        (noisy(NoisePaths { bound: Some(0.5), ..on(0) }), "or more, it is 0.5"),
     ] {
         let message = refused(terms, 0.1);
         assert!(message.contains(part), "{message}: {part}");
     }
     assert!(refused(at(1.0), 0.0).contains("it is 0"));
     let fluid = system("sphere-fluid", &Arguments::new().number("size", 4.0));
-    let error = ThermalLattice::new(fluid, damped(FRICTION), 0.1).unwrap_err();
+    let error = OpenArrays::new(fluid, damped(FRICTION), 0.1).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "sphere-fluid: damping must be left out: of the systems of arrays spin-lattice has it"
+        "sphere-fluid: damping must be left out: of the systems of arrays spin-lattice has friction and a temperature"
     );
-    let model = ThermalLattice::new(lattice(&[4.0], 1.0), at(1.0), 0.1).unwrap();
+    let model = OpenArrays::new(lattice(&[4.0], 1.0), at(1.0), 0.1).unwrap();
     for (formulation, scheme, has) in [
         (Some(Formulation::Collective), None, "it has direct implicit-midpoint"),
         (None, Some(SchemeName::Gauss(8)), "direct has implicit-midpoint"),

@@ -1,0 +1,98 @@
+//! A lattice of spins with friction, and at a temperature: [`OpenedLattice`].
+
+use super::array_terms::LatticeTerms;
+use super::noise_paths::NoisePaths;
+use super::on_path::OnPath;
+use super::opened::{Opened, Opening};
+use crate::arrays::sites::open_lattice::OpenLattice;
+use crate::arrays::sites::sites_system::{Momenta, momenta, numbers, total};
+use crate::arrays::systems::spin_lattice;
+use collective_integrators::{AnyIntegrator, StageSolver};
+use lie_poisson::{DissipationError, Sites, SitesHamiltonian, State, larger};
+use lie_poisson_formula_systems::{FormulaSystemError, OpenSystemError};
+use lie_poisson_systems::{LangevinSpins, SpinDamping};
+use nalgebra::Vector3;
+
+/// The name of the sum of the squares of all lengths, which alone is kept.
+const LENGTHS: &str = "C";
+
+/// A lattice by the stochastic midpoint rule of [`LangevinSpins`]: h, the total spin and Σ |s_i|², of which the last is
+/// kept.
+#[derive(Debug)]
+pub(in crate::arrays) struct OpenedLattice {
+    langevin: LangevinSpins<OpenLattice>,
+    damping: SpinDamping,
+    temperature: f64,
+}
+
+impl OpenedLattice {
+    /// Returns the lattice with its terms, for runs with steps of a size, s.
+    ///
+    /// # Errors
+    /// If a number is not what it must be, or a temperature has no damping.
+    pub(in crate::arrays) fn of(lattice: &OpenLattice, terms: &LatticeTerms, step: f64) -> Opening {
+        let damping = terms.damping.unwrap_or(SpinDamping::LandauLifshitz(0.0));
+        let (SpinDamping::LandauLifshitz(friction) | SpinDamping::Gilbert(friction)) = damping;
+        let open = |error: DissipationError| OpenSystemError::from(error);
+        if !(friction >= 0.0 && friction.is_finite()) {
+            return Err(open(DissipationError::Friction { friction }).into());
+        }
+        if terms.noise.is_some() && terms.damping.is_none() {
+            return Err(OpenSystemError::TemperatureAlone.into());
+        }
+        let temperature = terms.noise.map_or(0.0, |noise| noise.temperature);
+        if !(temperature >= 0.0 && temperature.is_finite()) {
+            return Err(open(DissipationError::Temperature { temperature }).into());
+        }
+        let paths = terms.noise.map(|noise| noise.paths);
+        let paths = NoisePaths::brownian_of(paths.as_ref(), step)?;
+        let langevin = LangevinSpins::new(lattice.clone(), damping, temperature, paths);
+        let langevin = langevin.map_err(|error| FormulaSystemError::KindValue {
+            kind: spin_lattice::NAME,
+            name: "damping",
+            needed: format!("possible: {error}"),
+        })?;
+        Ok(Box::new(Self { langevin, damping, temperature }))
+    }
+}
+
+impl Opened for OpenedLattice {
+    fn quantities(&self) -> Vec<String> {
+        ["h", "M1", "M2", "M3", LENGTHS].map(str::to_owned).to_vec()
+    }
+
+    /// h is NaN for a state of another dimension.
+    fn append(&self, state: &[f64], values: &mut Vec<f64>) {
+        let spins = momenta(state);
+        values.push(self.langevin.hamiltonian().value(&spins));
+        values.extend(total(&spins.0).iter());
+        values.push(spins.0.iter().map(Vector3::norm_squared).sum());
+    }
+
+    fn keeps(&self, quantity: &str) -> bool {
+        quantity == LENGTHS
+    }
+
+    fn rate(&self, state: &[f64]) -> Vec<f64> {
+        let spins = momenta(state);
+        let mut dh: Sites<Vector3<f64>> = State::zeros_of(&spins.0.len());
+        self.langevin.hamiltonian().differential_into(&spins, &mut dh);
+        let rates = spins.0.iter().zip(dh.iter()).map(|(spin, dh)| self.damping.rate(spin, &-dh));
+        numbers(&rates.collect::<Vec<_>>())
+    }
+
+    /// The largest of all spins: with Gilbert's damping short spins turn more.
+    fn noise_angle(&self, state: &[f64], step: f64) -> f64 {
+        let friction = |spin: &Vector3<f64>| self.damping.friction(spin.norm());
+        let friction = momenta(state).0.iter().map(friction).fold(0.0, larger);
+        2.0_f64.sqrt() * friction.sqrt() * self.temperature.sqrt() * step.abs().sqrt()
+    }
+
+    fn integrator(&self, tolerance: f64, path: u64) -> AnyIntegrator {
+        let solver = StageSolver { tolerance, ..StageSolver::default() };
+        let integrator = self.langevin.clone().with_solver(solver);
+        let axes = self.langevin.hamiltonian().axes().iter();
+        let spins: Momenta = State::zeros_of(&axes.map(|(count, _)| count).product());
+        OnPath { integrator, path }.erased(&spins)
+    }
+}
