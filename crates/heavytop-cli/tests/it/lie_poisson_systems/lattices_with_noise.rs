@@ -138,7 +138,7 @@ fn friction_alone_and_the_outputs() {
 fn an_ensemble_has_the_energy_of_the_temperature() {
     let folder = Folder::new();
     folder.write("a.toml", RING);
-    let options = ["ensemble", "a.toml", "--set", "integrator.end=10", "--paths", "100"];
+    let options = ["ensemble", "a.toml", "--set", "integrator.end=10", "--paths", "50"];
     let on = |threads: &str, out: &str| {
         let arguments = [&options[..], &["--out", out]].concat();
         succeeded(&folder.heavytop_on(threads, &arguments))

@@ -52,10 +52,10 @@ fn increments_have_the_covariances_of_brownian_motions() {
         false => 0.0,
     };
     // The largest of 100 normal numbers is above 4.5 once in a thousand.
-    let worst = worst_covariance(20_000, sample, expected);
+    let worst = worst_covariance(5_000, sample, expected);
     assert!(worst < 4.5, "{worst}");
     // Control: another variance is noticed.
-    let wrong = worst_covariance(20_000, sample, |a, b| 1.1 * expected(a, b));
+    let wrong = worst_covariance(5_000, sample, |a, b| 1.2 * expected(a, b));
     assert!(wrong > 4.5, "{wrong}");
 }
 
@@ -77,7 +77,7 @@ fn seeds_paths_and_components_are_independent() {
             of(1, 2, 0),
         ]
     };
-    let worst = worst_covariance(20_000, sample, |a, b| f64::from(u8::from(a == b)));
+    let worst = worst_covariance(5_000, sample, |a, b| f64::from(u8::from(a == b)));
     assert!(worst < 4.5, "{worst}");
 }
 
