@@ -2,14 +2,14 @@
 
 use super::real::Real;
 
-/// The largest |x|, 2²⁰ rad, whose quotient by π/2 is rounded without an error.
+/// The largest |x|, 2²⁰ rad, which is less than 2²⁰ quarter turns.
 const LARGEST: f64 = (1 << 20) as f64;
 
 /// The largest |x|, 2⁻²⁶, at which sin x = x to a rounding error.
 const SMALL: f64 = 1.0 / (1 << 26) as f64;
 
-/// The parts of π/2: the first two have 33 bits, so that their products by the quotient are exact.
-const HALF_TURN: [f64; 3] = [
+/// The parts of π/2: the first two have 33 bits, so that their products by a number of 20 bits are exact.
+const QUARTER_TURN: [f64; 3] = [
     f64::from_bits(0x3FF9_21FB_5440_0000),
     f64::from_bits(0x3DD0_B461_1A60_0000),
     f64::from_bits(0x3BA3_198A_2E03_7073),
@@ -54,7 +54,7 @@ impl<T: Real> Reduced<T> {
     fn new(x: T) -> Self {
         let whole = |x: T| (x + ROUNDING) + -ROUNDING;
         let n = whole(x * core::f64::consts::FRAC_2_PI);
-        let [first, second, third] = HALF_TURN.map(|part| n * part);
+        let [first, second, third] = QUARTER_TURN.map(|part| n * part);
         let rough = x - first;
         let finer = rough - second;
         let rest = ((rough - finer) - second) - third;
@@ -207,8 +207,8 @@ mod tests {
     fn the_parts_are_those_of_pi() {
         let pi = 0x3243_F6A8_885A_308D_3131_98A2_E037_0734_i128; // in units of 2⁻¹²⁴
         let exact = |part: &f64| (part * 2.0_f64.powi(124)) as i128;
-        let sum = HALF_TURN.iter().map(exact).sum::<i128>();
+        let sum = QUARTER_TURN.iter().map(exact).sum::<i128>();
         assert!((2 * sum - pi).abs() < 16, "{}", 2 * sum - pi);
-        assert!(HALF_TURN[..2].iter().all(|part| part.to_bits().trailing_zeros() >= 20));
+        assert!(QUARTER_TURN[..2].iter().all(|part| part.to_bits().trailing_zeros() >= 20));
     }
 }
