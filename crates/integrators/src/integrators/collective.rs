@@ -294,10 +294,28 @@ impl<S: Scheme, M: PoissonMap, H> Collective<S, M, H> {
         step: f64,
         workspace: &mut SpaceOf<S, M, T>,
     ) -> Result<Increment<SourcePoint<M, T>>, StepError> {
+        self.increment_by::<T>(
+            state,
+            workspace,
+            #[cfg_attr(optimised, inline(always))]
+            |start, scheme| self.scheme.refined_increment::<T, _>(field, (start, e), step, scheme),
+        )
+    }
+
+    /// Returns the increment from a state, by a function that makes that of the scheme from where the step starts.
+    #[cfg_attr(optimised, inline(always))]
+    pub(crate) fn increment_by<T: Real>(
+        &self,
+        state: &SourcePoint<M, T>,
+        workspace: &mut SpaceOf<S, M, T>,
+        increment: impl FnOnce(
+            &SourcePoint<M, T>,
+            &mut S::Workspace<SourcePoint<M, T>>,
+        ) -> Result<Increment<SourcePoint<M, T>>, StepError>,
+    ) -> Result<Increment<SourcePoint<M, T>>, StepError> {
         let start = self.recentred::<T>(state, workspace);
-        let Step { point: Pair(change, rest), iterations } = self
-            .scheme
-            .refined_increment::<T, _>(field, (&start, e), step, &mut workspace.scheme)?;
+        let Step { point: Pair(change, rest), iterations } =
+            increment(&start, &mut workspace.scheme)?;
         self.require_momentum::<T>(&(start + change))?;
         if start == *state {
             return Ok(Step { point: Pair(change, rest), iterations });

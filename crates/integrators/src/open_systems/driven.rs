@@ -118,7 +118,9 @@ impl<S, M, X> Driven<S, M, X> {
 }
 
 impl<S, M: PoissonMap, X> Driven<S, M, X> {
-    /// Returns the integrator with [`Compensated`] summation of z and t.
+    /// Returns the integrator with [`Compensated`] summation of z and t. Its increments are those of the steps, and are not
+    /// [refined](Scheme::refined_increment): the time has the rounding errors of a large number, which are no small errors for
+    /// a field that varies within a unit of time.
     pub fn compensated(self) -> Compensated<Self> {
         Compensated(self)
     }
@@ -232,14 +234,22 @@ where
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Increment<Self::State>, StepError> {
-        let Pair(begin, error) = state;
+        let Pair(begin, _) = state;
         let (mut sum, mut rest) = (Vector::zero(), Vector::zero());
         let iterations =
             smooth_pieces(begin.1.x, step, self.next_break::<T>(), |window, _, step| {
-                let from = Pair(*begin + sum, *error + rest);
-                let generator = self.generator(window);
+                let (from, generator) = (*begin + sum, self.generator(window));
                 let Step { point: Pair(change, lost), iterations } =
-                    self.collective.increment_of::<T, _>(&generator, &from, step, workspace)?;
+                    self.collective.increment_by::<T>(
+                        &from,
+                        workspace,
+                        #[cfg_attr(optimised, inline(always))]
+                        |start, scheme| {
+                            let made = self.scheme().increment(&generator, start, step, scheme)?;
+                            let Step { point, iterations } = made;
+                            Ok(Step { point: Pair(point, Vector::zero()), iterations })
+                        },
+                    )?;
                 add_compensated((&mut sum, &mut rest), (&change, &lost), &mut Default::default());
                 Ok(iterations)
             })?;

@@ -30,9 +30,9 @@ impl<A: lie_poisson::LieAlgebra, T: Real> OrbitField<LiePoisson<A>, T> for Sines
     }
 }
 
-/// Returns the largest deviation of the Casimirs over a run of n steps, relative to their sizes and to the
+/// Returns the largest deviation of the Casimirs over a run of n steps from a time, relative to their sizes and to the
 /// largest momentum, which are 1 or more.
-fn deviation<M, A>(map: M, start: &Momentum<A, f64>, steps: usize) -> f64
+fn deviation<M, A>(map: M, start: &Momentum<A, f64>, (time, steps): (f64, usize)) -> f64
 where
     M: Lift<Target = LiePoisson<A>>,
     A: Casimirs,
@@ -42,9 +42,9 @@ where
         (0..A::COUNT).map(|index| algebra.casimir(index, mu)).collect()
     };
     let first = values(start);
-    let driven = Driven::new(RungeKutta::gauss(2).unwrap(), map, Sines);
+    let driven = Driven::new(RungeKutta::gauss(3).unwrap(), map, Sines).compensated();
     let (mut largest, mut size) = (0.0_f64, 1.0_f64);
-    let run = driven.trajectory(&Pair(*start, Vector1::new(0.0)), 0.2).unwrap();
+    let run = driven.trajectory(&Pair(*start, Vector1::new(time)), 0.2).unwrap();
     for sample in run.take(steps + 1).step_by(97) {
         let mu = sample.unwrap().momentum.0;
         size = size.max(Vector::max_abs(&mu));
@@ -57,7 +57,8 @@ where
 }
 
 /// Returns the largest deviations on so(3)∗, se(3)∗, u(3)∗ and so(4)∗ = so(3)∗ × so(3)∗.
-fn deviations(steps: usize) -> [f64; 4] {
+fn deviations(time: f64, steps: usize) -> [f64; 4] {
+    let run = (time, steps);
     let spin = Covector(Vector3::new(0.6, 0.0, 0.8));
     let top = Covector(Pair(Vector3::new(0.4, 1.2, -0.3), Vector3::new(0.6, 0.0, 0.8)));
     let two = Covector(Power([spin.0, Vector3::new(0.1, 0.5, -0.4)]));
@@ -65,16 +66,16 @@ fn deviations(steps: usize) -> [f64; 4] {
     let z = Vector3::new(c(1.0, 0.2), c(0.3, -1.0), c(0.5, 0.4));
     let coherent = unitary_realisation::<3>().apply(&z);
     [
-        deviation::<_, So3>(HOPF, &spin, steps),
-        deviation::<_, Se3>(PARTICLE, &top, steps),
-        deviation::<_, UnitaryAlgebra<3>>(unitary_realisation::<3>(), &coherent, steps),
-        deviation::<_, PowerAlgebra<So3, 2>>(PowerMap::<_, 2>(HOPF), &two, steps),
+        deviation::<_, So3>(HOPF, &spin, run),
+        deviation::<_, Se3>(PARTICLE, &top, run),
+        deviation::<_, UnitaryAlgebra<3>>(unitary_realisation::<3>(), &coherent, run),
+        deviation::<_, PowerAlgebra<So3, 2>>(PowerMap::<_, 2>(HOPF), &two, run),
     ]
 }
 
 #[test]
 fn fields_of_any_kind_keep_the_casimirs() {
-    let found = deviations(1500);
+    let found = deviations(0.0, 1500);
     // Steps of a fifth of a radian; sums of a few thousand roundings.
     assert!(found.iter().all(|deviation| *deviation < 1e-12), "{found:?}");
     // Control: RK4 on the equations themselves does not.
@@ -84,12 +85,21 @@ fn fields_of_any_kind_keep_the_casimirs() {
     assert!((last.momentum.0.0.norm() - 1.0).abs() > 1e-6);
 }
 
-/// Stages are left with errors below 2⁻⁵ ε of their size, which have one sign: 7e-12 in a million steps.
+/// The time of a stage has the rounding errors of a large number, here of 1e-8. It is another field that is seen then, which
+/// keeps the Casimirs as well.
+#[test]
+fn at_late_times_the_casimirs_are_kept() {
+    let found = deviations(1e8, 300);
+    assert!(found.iter().all(|deviation| *deviation < 1e-13), "{found:?}");
+}
+
+/// Stages are left with errors below 2⁻⁵ ε of their size, which have one sign.
 #[test]
 #[ignore = "takes a minute"]
 fn fields_of_any_kind_keep_the_casimirs_many_times() {
-    let found = deviations(1_000_000);
-    assert!(found.iter().all(|deviation| *deviation < 7e-12), "{found:?}");
+    let found = deviations(0.0, 1_000_000);
+    println!("{found:?}");
+    assert!(found.iter().all(|deviation| *deviation < 1e-12), "{found:?}");
 }
 
 #[test]
