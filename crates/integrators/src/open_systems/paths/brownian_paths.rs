@@ -114,16 +114,18 @@ impl BrownianPaths {
         let scale = if to < from { -self.interval.sqrt() } else { self.interval.sqrt() };
         let bound = self.bound * length.sqrt();
         for (block, increments) in (0..).zip(increments.chunks_mut(4)) {
-            let raw = self.raw((path, block), from.min(to), from.max(to));
+            let components = (path, block, increments.len());
+            let raw = self.raw(components, from.min(to), from.max(to));
             for (increment, raw) in increments.iter_mut().zip(raw) {
                 *increment = raw.clamp(-bound, bound) * scale;
             }
         }
     }
 
-    /// Returns the increments of four components over a time, for intervals of the length 1.
+    /// Returns the increments of a path over a time, for intervals of the length 1, of as many of the four components of a block
+    /// as are wanted.
     #[inline]
-    fn raw(&self, components: (u64, u64), from: f64, to: f64) -> [f64; 4] {
+    fn raw(&self, components: (u64, u64, usize), from: f64, to: f64) -> [f64; 4] {
         let (first, last) = (from.floor(), to.floor());
         let (late, early) = (to - last, from - first);
         let mut sum = [0.0; 4];
@@ -145,7 +147,7 @@ impl BrownianPaths {
     }
 
     /// Returns the increments from the beginning of an interval to a fraction of it, by bridges.
-    fn within(&self, components: (u64, u64), interval: f64, mut fraction: f64) -> [f64; 4] {
+    fn within(&self, components: (u64, u64, usize), interval: f64, mut fraction: f64) -> [f64; 4] {
         let mut passed = [0.0; 4];
         let mut whole = self.node(components, interval, 0);
         let (mut node, mut deviation) = (1_u64, 0.5_f64);
@@ -168,10 +170,16 @@ impl BrownianPaths {
         passed
     }
 
-    /// Returns the normal numbers of an interval, and of its halves, quarters, …, which are numbered from 1.
+    /// Returns the normal numbers of an interval, and of its halves, quarters, …, which are numbered from 1; zeros for the
+    /// components that are not wanted.
     #[inline]
-    fn node(&self, (path, block): (u64, u64), interval: f64, node: u64) -> [f64; 4] {
+    fn node(&self, (path, block, wanted): (u64, u64, usize), interval: f64, node: u64) -> [f64; 4] {
         let counter = [(interval as i64).cast_unsigned(), path, node, block];
-        philox([self.seed, PURPOSE], counter).map(normal_of)
+        let mut numbers = [0.0; 4];
+        let bits = philox([self.seed, PURPOSE], counter);
+        for (number, bits) in numbers.iter_mut().zip(bits).take(wanted) {
+            *number = normal_of(bits);
+        }
+        numbers
     }
 }
