@@ -6,7 +6,8 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use collective_integrators::{
-    BatchIntegrator, BrownianPaths, Collective, Driven, Laned, Noisy, RungeKutta, Start,
+    BatchIntegrator, BrownianPaths, Collective, Driven, Laned, Noisy, NoisyReduced, RungeKutta,
+    Start,
 };
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
@@ -16,6 +17,7 @@ use lie_poisson::{
     InstructionSet, IsotropicNoise, LiePoisson, Pair, Point, Real, Se3, Se3Dual, TimeDependent,
     Vector, from_parts,
 };
+use momentum_map::DualQuaternions;
 use nalgebra::{Vector1, Vector3};
 use std::hint::black_box;
 
@@ -64,6 +66,10 @@ type Damped = DoubleBracket<HeavyTopSpace, Autonomous<HeavyTop>>;
 fn damped() -> Damped {
     let (space, inner_product) = (LiePoisson::minus(Se3::default()), InnerProduct::euclidean());
     DoubleBracket::new(space, Autonomous(top()), FRICTION, inner_product).unwrap()
+}
+
+fn driven_by_friction() -> Driven<RungeKutta, SpinorRealisation, Damped> {
+    Driven::new(midpoint(), SpinorRealisation, damped())
 }
 
 fn noise() -> IsotropicNoise {
@@ -115,9 +121,10 @@ fn one_top(criterion: &mut Criterion) {
 
     let mut group = criterion.benchmark_group("noise");
     group.throughput(Throughput::Elements(STEPS)).sample_size(30);
-    let damped = Driven::new(midpoint(), SpinorRealisation, damped());
-    time(&mut group, "friction", &damped, &in_time);
+    time(&mut group, "friction", &driven_by_friction(), &in_time);
     time(&mut group, "friction and noise", &langevin(), &on_path);
+    let reduced = NoisyReduced::new(DualQuaternions, damped(), noise(), paths());
+    time(&mut group, "friction and noise, without a lift", &reduced, &on_path);
     let conservative = driven(Autonomous(top()));
     time(&mut group, "neither", &conservative, &in_time);
     let noisy = Noisy::new(midpoint(), SpinorRealisation, Autonomous(top()), noise(), paths());
@@ -162,9 +169,8 @@ fn time_batch<I>(
 fn many_tops(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("many tops, per top and step");
     group.throughput(Throughput::Elements(STEPS * TOPS)).sample_size(10);
-    let damped = || Driven::new(midpoint(), SpinorRealisation, damped());
-    let in_time = |_: u64| damped().start(&Pair(start(), Vector1::new(0.0))).unwrap();
-    time_batch(&mut group, "friction", || Laned::new(damped()), in_time);
+    let in_time = |_: u64| driven_by_friction().start(&Pair(start(), Vector1::new(0.0))).unwrap();
+    time_batch(&mut group, "friction", || Laned::new(driven_by_friction()), in_time);
     let on_path = |path: u64| {
         let clock = Pair(Vector1::new(path as f64), Vector1::new(0.0));
         langevin().start(&Pair(start(), clock)).unwrap()

@@ -32,7 +32,7 @@
 //! |---|---|
 //! | a Poisson integrator on 𝔤∗ from a realisation M: P → 𝔤∗ | [`Collective`] |
 //! | an integrator that conserves the Casimirs, for a field that depends on time, or loses energy on its orbit | [`Driven`]; [`DrivenField`] on the equations |
-//! | the same with noise, at a temperature for example | [`Noisy`], with [`BrownianPaths`] |
+//! | the same with noise, at a temperature for example | [`Noisy`], or faster [`NoisyReduced`], with [`BrownianPaths`] |
 //! | the same with torques that change the Casimirs | [`Torqued`] |
 //! | the same for N copies of M, with N known when the program runs | [`CollectiveSites`]; [`LiftFreeSites`] without a lift |
 //! | a collective integrator that computes on 𝔤∗ itself | [`LiftFree`] |
@@ -156,6 +156,7 @@ pub use open_systems::driven::Driven;
 pub use open_systems::driven_field::DrivenField;
 pub use open_systems::noise_rule::{NoisePart, NoiseRule};
 pub use open_systems::noisy::{Noisy, PathAndTime};
+pub use open_systems::noisy_reduced::NoisyReduced;
 pub use open_systems::paths::brownian_paths::{BrownianError, BrownianPaths};
 pub use open_systems::smooth_pieces::Window;
 pub use open_systems::step_parts::StepParts;

@@ -130,7 +130,7 @@ pub use maps::symplectic_representation::{
 };
 pub use multipliers::complex_matrices::ComplexMatrices;
 pub use multipliers::dual_quaternions::DualQuaternions;
-pub use multipliers::multiplier::{Multiplier, Multipliers};
+pub use multipliers::multiplier::{InvertibleMultipliers, Multiplier, Multipliers};
 pub use multipliers::powers::PowerMultipliers;
 pub use multipliers::products::ProductMultipliers;
 pub use multipliers::quaternions::Quaternions;

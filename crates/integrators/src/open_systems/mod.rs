@@ -7,4 +7,5 @@ pub(crate) mod noise_rule;
 pub(crate) mod driven_field;
 pub(crate) mod driven;
 pub(crate) mod noisy;
+pub(crate) mod noisy_reduced;
 pub(crate) mod torqued;

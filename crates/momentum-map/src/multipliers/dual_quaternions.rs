@@ -1,6 +1,6 @@
 //! Dual quaternions as multipliers: [`DualQuaternions`].
 
-use crate::multipliers::multiplier::Multipliers;
+use crate::multipliers::multiplier::{InvertibleMultipliers, Multipliers};
 use lie_poisson::{
     Covector, LiePoisson, Pair, Quaternion, Real, SO3OnR3, Se3, Se3Dual, SemidirectAlgebra, Vector,
     cross, dot,
@@ -22,6 +22,8 @@ use nalgebra::Vector3;
 /// Source of dual quaternions: E. Study, *Geometrie der Dynamen* (1903).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DualQuaternions;
+
+impl InvertibleMultipliers for DualQuaternions {}
 
 impl Multipliers for DualQuaternions {
     type Space = LiePoisson<Se3>;

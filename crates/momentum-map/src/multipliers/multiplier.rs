@@ -125,5 +125,21 @@ pub trait Multipliers: Clone {
     fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Self::Multiplier<T>;
 }
 
+/// Multipliers whose [`inverse`](Multipliers::inverse) is the inverse of every element that has one, and not only of those
+/// with the quadratic invariants of the motion: Cayley's map (1 − ξ/2)⁻¹(1 + ξ/2) is in closed form.
+///
+/// # Example
+/// ```
+/// use lie_poisson::Quaternion;
+/// use momentum_map::{InvertibleMultipliers, Multipliers, Quaternions};
+/// use nalgebra::Vector3;
+/// fn cayley<M: InvertibleMultipliers<Multiplier<f64> = Quaternion<f64>>>(m: M, a: Quaternion<f64>) -> Quaternion<f64> {
+///     m.product(&m.inverse(&(m.one::<f64>() - a)), &(m.one::<f64>() + a))
+/// }
+/// let turn = cayley(Quaternions, Quaternion { scalar: 0.0, vector: Vector3::new(0.3, -0.2, 0.5) });
+/// assert!((turn.norm_squared() - 1.0).abs() < 1e-15);
+/// ```
+pub trait InvertibleMultipliers: Multipliers {}
+
 /// A multiplier of a collective system, over the scalar `T`.
 pub type Multiplier<M, T = f64> = <M as Multipliers>::Multiplier<T>;

@@ -1,6 +1,6 @@
 //! Powers of an algebra of multipliers: [`PowerMultipliers`].
 
-use crate::multipliers::multiplier::Multipliers;
+use crate::multipliers::multiplier::{InvertibleMultipliers, Multipliers};
 use lie_poisson::{Covector, LieAlgebra, LiePoisson, Point, Power, PowerAlgebra, Real};
 
 /// The N-th power 𝔄ᴺ of an algebra of multipliers, for example for N spins: (Q B)_n = Q_n B_n, transport(Q, μ)_n =
@@ -20,6 +20,13 @@ use lie_poisson::{Covector, LieAlgebra, LiePoisson, Point, Power, PowerAlgebra, 
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerMultipliers<M, const N: usize>(pub M);
+
+impl<M, A, const N: usize> InvertibleMultipliers for PowerMultipliers<M, N>
+where
+    M: InvertibleMultipliers<Space = LiePoisson<A>>,
+    A: LieAlgebra,
+{
+}
 
 impl<M, A, const N: usize> Multipliers for PowerMultipliers<M, N>
 where

@@ -1,6 +1,6 @@
 //! Products of algebras of multipliers: [`ProductMultipliers`].
 
-use crate::multipliers::multiplier::Multipliers;
+use crate::multipliers::multiplier::{InvertibleMultipliers, Multipliers};
 use lie_poisson::{Differential, Pair, Point, ProductSpace, Real, parts};
 
 /// The product 𝔄 × 𝔅 of two algebras of multipliers: (Q, R)(B, C) = (QB, RC), and each factor acts on its own part of μ.
@@ -18,6 +18,11 @@ use lie_poisson::{Differential, Pair, Point, ProductSpace, Real, parts};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ProductMultipliers<M, N>(pub M, pub N);
+
+impl<M: InvertibleMultipliers, N: InvertibleMultipliers> InvertibleMultipliers
+    for ProductMultipliers<M, N>
+{
+}
 
 impl<M: Multipliers, N: Multipliers> Multipliers for ProductMultipliers<M, N> {
     type Space = ProductSpace<M::Space, N::Space>;

@@ -1,6 +1,6 @@
 //! Quaternions as multipliers: [`Quaternions`].
 
-use crate::multipliers::multiplier::Multipliers;
+use crate::multipliers::multiplier::{InvertibleMultipliers, Multipliers};
 use lie_poisson::{Covector, LiePoisson, Quaternion, Real, So3, Vector};
 use nalgebra::Vector3;
 
@@ -14,6 +14,8 @@ use nalgebra::Vector3;
 /// Rₙ₊₁ = Rₙ R_Qᵀ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Quaternions;
+
+impl InvertibleMultipliers for Quaternions {}
 
 impl Multipliers for Quaternions {
     type Space = LiePoisson<So3>;

@@ -1,10 +1,12 @@
 //! A heavy top at a temperature, against quadratures of its Gibbs measure.
 
-use collective_integrators::{BrownianPaths, Integrator, Noisy, RungeKutta, Start};
+use collective_integrators::{BrownianPaths, Integrator, Noisy, NoisyReduced, RungeKutta, Start};
 use heavytop::{Body, HeavyTop, SpinorRealisation};
 use lie_poisson::{
     Autonomous, Covector, DoubleBracket, InnerProduct, IsotropicNoise, LiePoisson, Pair, Se3,
+    Vector,
 };
+use momentum_map::DualQuaternions;
 use nalgebra::{Vector1, Vector3};
 
 const FRICTION: f64 = 0.7;
@@ -54,6 +56,33 @@ fn means(steps: u64) -> ([(f64, f64); 4], [f64; 2]) {
         (mean, (squares / (number * (number - 1.0))).sqrt())
     });
     (means, lost)
+}
+
+/// The rule without a lift makes the same steps, also where Γ = 0, where there is no lift.
+#[test]
+fn a_step_without_a_lift_is_that_of_the_lift() {
+    let top = HeavyTop::kovalevskaya(1.0, 1.0).unwrap();
+    let product = InnerProduct::euclidean;
+    let noise = || IsotropicNoise::thermal(product(), (FRICTION, TEMPERATURE)).unwrap();
+    let space = LiePoisson::minus(Se3::default());
+    let field = || DoubleBracket::new(space, Autonomous(top), FRICTION, product()).unwrap();
+    let paths = BrownianPaths::new(2, STEP).unwrap();
+    let scheme = RungeKutta::implicit_midpoint();
+    let lifted = Noisy::new(scheme, SpinorRealisation, field(), noise(), paths);
+    let reduced = NoisyReduced::new(DualQuaternions, field(), noise(), paths);
+    let at = |gamma: Vector3<f64>, path: f64| {
+        let momentum = Covector(Pair(Vector3::new(0.5, 0.2, 0.3), gamma));
+        Pair(momentum, Pair(Vector1::new(path), Vector1::new(0.0)))
+    };
+    let end = |path: f64| reduced.after(&at(Vector3::z(), path), STEP, 200).unwrap().momentum.0;
+    let expected = lifted.after(&at(Vector3::z(), 4.0), STEP, 200).unwrap().momentum.0;
+    // Two hundred steps of some ten roundings, which grow with the motion.
+    assert!((end(4.0) - expected).max_abs() < 1e-11, "{:e}", (end(4.0) - expected).max_abs());
+    assert!((end(5.0) - expected).max_abs() > 0.1);
+    let Covector(Pair(pi, gamma)) = end(4.0);
+    assert!((gamma.norm_squared() - 1.0).abs() < 1e-13 && (pi.dot(&gamma) - 0.3).abs() < 1e-13);
+    let still = reduced.after(&at(Vector3::zeros(), 4.0), STEP, 200).unwrap().momentum.0;
+    assert!((still.0.0.norm_squared() - 0.38).abs() < 1e-13 && still.0.1 == Vector3::zeros());
 }
 
 /// By quadrature: given Γ, Π is normal in the plane Π·Γ = f₂; it is integrated out, and then Γ over the sphere.

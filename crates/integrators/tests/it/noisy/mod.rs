@@ -4,5 +4,6 @@ mod brownian_paths;
 mod gibbs_means;
 mod noisy_casimirs;
 mod noisy_orders;
+mod noisy_reduced;
 mod paths_of_runs;
 mod support;

@@ -1,0 +1,205 @@
+//! The stochastic midpoint rule in closed form on 𝔤∗: [`NoisyReduced`].
+
+use crate::error::StepError;
+use crate::integrators::trajectories::integrator::Integrator;
+use crate::integrators::trajectories::start::Start;
+use crate::iteration::stage_solver::StageSolver;
+use crate::open_systems::noise_rule::{NoisePart, NoiseRule};
+use crate::open_systems::noisy::PathAndTime;
+use crate::open_systems::paths::brownian_paths::BrownianPaths;
+use crate::open_systems::smooth_pieces::Window;
+use crate::open_systems::step_parts::StepParts;
+use crate::schemes::scheme::Step;
+use lie_poisson::nalgebra::Vector1;
+use lie_poisson::{Differential, Noise, OrbitField, Pair, Point, Real, Vector};
+use momentum_map::{InvertibleMultipliers, LiftError, Multiplier};
+
+/// The collective midpoint rule of an [orbit field](OrbitField) ξ with [noise](Noise) σ_k, without a lift: the map of
+/// [`Noisy`](crate::Noisy) with [`RungeKutta::implicit_midpoint`](crate::RungeKutta::implicit_midpoint) and all noise
+/// [together](NoiseRule::Together), in half to three quarters of its time.
+///
+/// With the motion ζ of a step, and the inverse of [multipliers](momentum_map::Multipliers), it reads
+///
+/// ```text
+/// ζ = h ξ(μₘ, tₘ) + Σ_k ΔW_k σ_k(μₘ, tₘ),    Qₘ = (1 − ζ/2)⁻¹,    μₘ = transport(Qₘ, μ₀)
+/// Q₁ = 2Qₘ − 1,    μ₁ = transport(Q₁, μ₀)
+/// ```
+///
+/// and is solved for ζ by a fixed-point iteration to the round-off floor. The rotation is exact for every ζ, so that noise that
+/// does not depend on μ takes no part in the iteration: it converges where h ∂ξ/∂μ is small, however large the noise is, also
+/// where steps of [`Noisy`](crate::Noisy), on the space of the lift, fail. Each path keeps all Casimirs to round-off. A step does
+/// not depend on the steps before it.
+///
+/// A momentum is (μ, (number of the path, time)), as that of [`Noisy`](crate::Noisy); all of 𝔤∗ is allowed.
+///
+/// Sources: Milstein, Repin & Tretyakov, SIAM J. Numer. Anal. 40 (2002); Ohsawa 2019, §5.1, for the midpoint rule without a lift.
+///
+/// # Example
+/// The steps are those of [`Noisy`](crate::Noisy):
+/// ```
+/// use collective_integrators::{BrownianPaths, Noisy, NoisyReduced, RungeKutta, Start};
+/// use lie_poisson::{Autonomous, Covector, InnerProduct, IsotropicNoise, LiePoisson, Pair, So3, from_closure};
+/// use momentum_map::{HOPF, Quaternions};
+/// use nalgebra::{Vector1, Vector3};
+/// let body = Autonomous(from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.x * 0.5 + pi.y * pi.y));
+/// let noise = || IsotropicNoise::thermal(InnerProduct::euclidean(), (0.1, 0.5));
+/// let paths = BrownianPaths::new(1, 0.1)?;
+/// let reduced = NoisyReduced::new(Quaternions, body.clone(), noise()?, paths);
+/// let lifted = Noisy::new(RungeKutta::implicit_midpoint(), HOPF, body, noise()?, paths);
+/// let start = Pair(Covector(Vector3::new(0.6, 0.0, 0.8)), Pair(Vector1::new(7.0), Vector1::new(0.0)));
+/// let (one, other) = (reduced.after(&start, 0.1, 100)?.momentum, lifted.after(&start, 0.1, 100)?.momentum);
+/// assert!((one.0 - other.0).0.norm() < 1e-12);
+/// assert!((one.0.0.norm() - 1.0).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct NoisyReduced<M, X, N> {
+    multipliers: M,
+    field: X,
+    noise: N,
+    paths: BrownianPaths,
+    solver: StageSolver,
+}
+
+/// The iteration on ζ has no derivative, and each of its sweeps costs little.
+const FIXED_POINT: StageSolver = StageSolver { tolerance: 0.0, max_iterations: 200, newton: false };
+
+impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
+    /// Creates the integrator, whose iteration goes on to the round-off floor.
+    pub fn new(multipliers: M, field: X, noise: N, paths: BrownianPaths) -> Self
+    where
+        X: OrbitField<M::Space>,
+        N: Noise<M::Space>,
+    {
+        Self { multipliers, field, noise, paths, solver: FIXED_POINT }
+    }
+
+    /// Replaces the solver of the fixed-point iteration. Its tolerance is a part of ζ.
+    #[must_use]
+    pub fn with_solver(self, solver: StageSolver) -> Self {
+        Self { solver, ..self }
+    }
+}
+
+impl<M, X, N> NoisyReduced<M, X, N> {
+    /// Returns the field ξ.
+    pub const fn field(&self) -> &X {
+        &self.field
+    }
+
+    /// Returns the noise.
+    pub const fn noise(&self) -> &N {
+        &self.noise
+    }
+
+    /// Returns the Brownian motions.
+    pub const fn paths(&self) -> &BrownianPaths {
+        &self.paths
+    }
+}
+
+impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
+    /// Returns Qₘ = (1 − hζ/2)⁻¹ for a rate ζ.
+    #[cfg_attr(optimised, inline(always))]
+    fn middle<T: Real>(&self, zeta: &Differential<M::Space, T>, step: f64) -> Multiplier<M, T> {
+        let one = self.multipliers.one::<T>();
+        let generator = self.multipliers.generate::<T>(zeta, &one);
+        self.multipliers.inverse::<T>(&(one - generator.scaled(T::from_f64(0.5 * step))))
+    }
+
+    /// Moves a state by a part of a step. Returns the number of sweeps.
+    #[cfg_attr(optimised, inline(always))]
+    fn move_by<T: Real>(
+        &self,
+        Pair(mu, Pair(_, clock)): &mut Pair<Point<M::Space, T>, PathAndTime<T>>,
+        window: Window<T>,
+        NoisePart { drift, weights, step }: NoisePart<'_, T>,
+    ) -> Result<usize, StepError>
+    where
+        X: OrbitField<M::Space, T>,
+        N: Noise<M::Space, T>,
+    {
+        let interval = self.paths.interval();
+        let elapsed = T::from_f64(drift * step / interval);
+        let time = window.nearest((clock.x + elapsed * 0.5) * interval);
+        let rate = |middle: &Point<M::Space, T>| {
+            let mut zeta = self.field.element(middle, time);
+            if !weights.is_empty() {
+                zeta += self.noise.element(middle, time, weights);
+            }
+            zeta
+        };
+        let mut zeta = [Vector::zero()];
+        let sweep = |_: usize, zeta: &[Differential<M::Space, T>]| {
+            rate(&self.multipliers.transport::<T>(&self.middle::<T>(&zeta[0], step), mu))
+        };
+        let sweeps = self.solver.solve(rate(mu), &mut zeta, sweep)?;
+        let [zeta] = zeta;
+        let middle = self.middle::<T>(&zeta, step);
+        let whole = middle + (middle - self.multipliers.one::<T>());
+        *mu += self.multipliers.coadjoint_change::<T>(&whole, mu);
+        clock.x += elapsed;
+        Ok(sweeps)
+    }
+}
+
+impl<M, X, N, T> Integrator<T> for NoisyReduced<M, X, N>
+where
+    M: InvertibleMultipliers,
+    X: OrbitField<M::Space, T>,
+    N: Noise<M::Space, T>,
+    T: Real,
+{
+    type State = Pair<Point<M::Space, T>, PathAndTime<T>>;
+    type Momentum = Self::State;
+    type Workspace = ();
+
+    fn workspace(&self) {}
+
+    #[cfg_attr(optimised, inline(always))]
+    fn step(
+        &self,
+        state: &Self::State,
+        step: f64,
+        (): &mut (),
+    ) -> Result<Step<Self::State>, StepError> {
+        let noise = Some((&self.paths, NoiseRule::Together, self.noise.count()));
+        let parts = StepParts { interval: self.paths.interval(), noise };
+        let Pair(path, clock) = state.1;
+        Step::of_copy(
+            state,
+            #[cfg_attr(optimised, inline(always))]
+            |state| {
+                parts.make(
+                    (path.x, clock.x),
+                    step,
+                    |time, forward| self.field.next_break(time, forward),
+                    #[cfg_attr(optimised, inline(always))]
+                    |window, part| self.move_by::<T>(state, window, part),
+                )
+            },
+        )?
+        .finite()
+    }
+
+    fn forget(&self, (): &mut ()) {}
+
+    #[cfg_attr(optimised, inline(always))]
+    fn momentum(&self, Pair(mu, Pair(path, clock)): &Self::State) -> Self::Momentum {
+        Pair(*mu, Pair(*path, *clock * T::from_f64(self.paths.interval())))
+    }
+}
+
+impl<M, X, N, T> Start<T> for NoisyReduced<M, X, N>
+where
+    M: InvertibleMultipliers,
+    X: OrbitField<M::Space, T>,
+    N: Noise<M::Space, T>,
+    T: Real,
+{
+    /// Returns μ, the number of the path, and the time in intervals.
+    fn start(&self, Pair(mu, Pair(path, time)): &Self::Momentum) -> Result<Self::State, LiftError> {
+        let clock: Vector1<T> = *time / T::from_f64(self.paths.interval());
+        Ok(Pair(*mu, Pair(*path, clock)))
+    }
+}
