@@ -1,11 +1,10 @@
 //! A system of arrays by name: [`ArrayKind`].
 
 use super::any_arrays::Made;
-use super::arguments::{Arguments, Given};
-use super::array_system::ArraySystem;
+use super::arguments::Given;
 use super::systems::{many_vortices, sphere_fluid, spin_lattice, vibrating_lattice};
 use heavytop::methods::Formulation;
-use lie_poisson_formula_systems::{FormulaSystemError, Parameter};
+use lie_poisson_formula_systems::Parameter;
 
 /// A system by name whose states are arrays of any size: what its parameters are, and what a start is given by.
 ///
@@ -47,7 +46,7 @@ pub struct ArrayKind {
     /// The formulation of the midpoint rule of the system with friction, forces and noise; `None` if it has none of
     /// them.
     pub opened: Option<Formulation>,
-    make: fn(&Given<'_>) -> Made,
+    pub(super) make: fn(&Given<'_>) -> Made,
 }
 
 impl ArrayKind {
@@ -91,18 +90,5 @@ impl ArrayKind {
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
         Self::ALL.iter().find(|kind| kind.name == name)
-    }
-
-    /// Returns the system with these parameters.
-    ///
-    /// # Errors
-    /// Returns [`FormulaSystemError::KindParameter`] if a parameter is missing, has another shape, or is none of the system,
-    /// and [`FormulaSystemError::KindValue`] if it has a value that it cannot have.
-    pub fn system(
-        &'static self,
-        parameters: &Arguments,
-    ) -> Result<ArraySystem, FormulaSystemError> {
-        let given = Given::new((self.name, false), self.parameters, parameters)?;
-        Ok(ArraySystem::new(self, (self.make)(&given)?))
     }
 }

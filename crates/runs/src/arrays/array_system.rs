@@ -23,11 +23,22 @@ pub struct ArraySystem {
     system: Arc<dyn Arrays>,
 }
 
-impl ArraySystem {
-    pub(super) fn new(kind: &'static ArrayKind, system: Box<dyn Arrays>) -> Self {
-        Self { kind, system: system.into() }
+impl ArrayKind {
+    /// Returns the system with these parameters.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::KindParameter`] if a parameter is missing, has another shape, or is none of the system,
+    /// and [`FormulaSystemError::KindValue`] if it has a value that it cannot have.
+    pub fn system(
+        &'static self,
+        parameters: &Arguments,
+    ) -> Result<ArraySystem, FormulaSystemError> {
+        let given = Given::new((self.name, false), self.parameters, parameters)?;
+        Ok(ArraySystem { kind: self, system: (self.make)(&given)?.into() })
     }
+}
 
+impl ArraySystem {
     /// Returns the kind of system.
     #[must_use]
     pub const fn kind(&self) -> &'static ArrayKind {

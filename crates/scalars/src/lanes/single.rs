@@ -1,6 +1,7 @@
 //! A single lane with fused multiply-add.
 
 use super::registers::register::Register;
+use crate::numbers::real::Real;
 
 /// One number with fused multiply-add, bit-identical to one lane of AVX2 and of AVX-512.
 ///
@@ -31,6 +32,8 @@ impl Register for FusedSingle {
         root(a) = a.sqrt();
         magnitude(a) = a.abs();
         maximum(a, b) = if a > b { a } else { b };
+        sine(a) = Real::sin(a);
+        cosine(a) = Real::cos(a);
         multiply_add(a, b, c) = a.mul_add(b, c);
         multiply_subtract(a, b, c) = a.mul_add(b, -c);
         negative_multiply_add(a, b, c) = (-a).mul_add(b, c);

@@ -1,7 +1,6 @@
 //! A table of `[inputs]`: [`InputConfig`].
 
-use super::input_file::failed;
-use crate::errors::{Error, SystemTableError};
+use crate::errors::{Error, InputFileError, SystemTableError};
 use lie_poisson::{InputTable, Interpolation};
 use lie_poisson_formula_systems::OpenSystemError;
 use serde::{Deserialize, Serialize};
@@ -79,4 +78,9 @@ impl InputConfig {
         Ok(InputTable::new(self.times.clone(), self.values.clone(), interpolation)
             .map_err(refused)?)
     }
+}
+
+/// Returns the error of the file of an input.
+pub(super) fn failed(name: &str, path: &Path, source: InputFileError) -> Error {
+    Error::InputFile { name: name.into(), path: path.into(), source: Box::new(source) }
 }

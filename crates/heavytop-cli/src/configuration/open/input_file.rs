@@ -1,6 +1,6 @@
 //! The table of an input in a file of its own.
 
-use super::input_config::InputConfig;
+use super::input_config::{InputConfig, failed};
 use crate::errors::{Error, InputFileError};
 use crate::files::bounded;
 use csv::{ReaderBuilder, StringRecord, Trim};
@@ -98,11 +98,6 @@ impl InputConfig {
         let value = self.value.as_ref().map_or(Ok(usize::from(time == 0)), place)?;
         Ok((time, value))
     }
-}
-
-/// Returns the error of the file of an input.
-pub(super) fn failed(name: &str, path: &Path, source: InputFileError) -> Error {
-    Error::InputFile { name: name.into(), path: path.into(), source: Box::new(source) }
 }
 
 fn read(path: &Path) -> Result<String, InputFileError> {

@@ -1,7 +1,7 @@
 //! What the tables of open systems say.
 
 use super::element::{Element, parts};
-use super::input_file::failed;
+use super::input_config::failed;
 use crate::configuration::Config;
 use crate::errors::{Error, SystemTableError};
 use lie_poisson_formula_systems::{NamedInputs, OpenNames, OpenSystemError, OpenTerms};

@@ -74,6 +74,16 @@ pub struct HarmonicShell {
     pub strength: f64,
 }
 
+impl LatticeTerms {
+    /// The kind of system that has these terms.
+    pub const KIND: &str = "spin-lattice";
+}
+
+impl FluidTerms {
+    /// The kind of system that has these terms.
+    pub const KIND: &str = "sphere-fluid";
+}
+
 impl From<LatticeTerms> for ArrayTerms {
     fn from(terms: LatticeTerms) -> Self {
         Self::Lattice(terms)

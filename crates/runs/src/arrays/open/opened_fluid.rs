@@ -7,7 +7,6 @@ use super::opened::{Opened, Opening};
 use crate::arrays::any_arrays::Arrays;
 use crate::arrays::fluids::fluid_start::add;
 use crate::arrays::fluids::sphere_fluid::SphereFluid;
-use crate::arrays::systems::sphere_fluid::NAME;
 use collective_integrators::{AnyIntegrator, StageSolver, VectorField};
 use core::f64::consts::PI;
 use lie_poisson::{State, larger};
@@ -57,7 +56,7 @@ impl OpenedFluid {
 
 /// Returns the error of a term that is not what it must be.
 const fn refused(name: &'static str, needed: String) -> FormulaSystemError {
-    FormulaSystemError::KindValue { kind: NAME, name, needed }
+    FormulaSystemError::KindValue { kind: FluidTerms::KIND, name, needed }
 }
 
 fn impossible(name: &'static str, error: SystemError) -> FormulaSystemError {

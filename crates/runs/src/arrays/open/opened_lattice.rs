@@ -6,7 +6,6 @@ use super::on_path::OnPath;
 use super::opened::{Opened, Opening};
 use crate::arrays::sites::open_lattice::OpenLattice;
 use crate::arrays::sites::sites_system::{Momenta, momenta, numbers, total};
-use crate::arrays::systems::spin_lattice;
 use collective_integrators::{AnyIntegrator, StageSolver};
 use lie_poisson::{DissipationError, Sites, SitesHamiltonian, State, larger};
 use lie_poisson_formula_systems::{FormulaSystemError, OpenSystemError};
@@ -48,7 +47,7 @@ impl OpenedLattice {
         let paths = NoisePaths::brownian_of(paths.as_ref(), step)?;
         let langevin = LangevinSpins::new(lattice.clone(), damping, temperature, paths);
         let langevin = langevin.map_err(|error| FormulaSystemError::KindValue {
-            kind: spin_lattice::NAME,
+            kind: LatticeTerms::KIND,
             name: "damping",
             needed: format!("possible: {error}"),
         })?;

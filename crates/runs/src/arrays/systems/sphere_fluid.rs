@@ -3,10 +3,11 @@
 use crate::arrays::any_arrays::Made;
 use crate::arrays::arguments::Given;
 use crate::arrays::fluids::sphere_fluid::SphereFluid;
+use crate::arrays::open::array_terms::FluidTerms;
 use lie_poisson_formula_systems::Parameter;
 use lie_poisson_systems::Zeitlin;
 
-pub(in crate::arrays) const NAME: &str = "sphere-fluid";
+pub(in crate::arrays) const NAME: &str = FluidTerms::KIND;
 
 pub(in crate::arrays) const PARAMETERS: &[Parameter] = &[
     Parameter::number("size", "N: harmonics of degree below N are kept, 2 to 2048"),

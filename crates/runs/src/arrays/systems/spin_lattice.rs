@@ -2,13 +2,14 @@
 
 use crate::arrays::any_arrays::Made;
 use crate::arrays::arguments::Given;
+use crate::arrays::open::array_terms::LatticeTerms;
 use crate::arrays::sites::lattice_of::{Interactions, lattice_of};
 use crate::arrays::sites::sites_arrays::SitesArrays;
 use crate::arrays::sites::sites_system::SitesSystem;
 use crate::arrays::sites::spin_start::{SPIN_START, spin_start};
 use lie_poisson_formula_systems::Parameter;
 
-pub(in crate::arrays) const NAME: &str = "spin-lattice";
+pub(in crate::arrays) const NAME: &str = LatticeTerms::KIND;
 
 pub(in crate::arrays) const PARAMETERS: &[Parameter] = &[
     Parameter::list("shape", "spins along each of one to three axes"),

@@ -2,6 +2,7 @@
 
 use super::register::Register;
 use crate::numbers::mask::Mask;
+use crate::numbers::real::Real;
 
 /// Two numbers; products and sums are rounded separately, as for `f64`.
 #[derive(Clone, Copy)]
@@ -35,6 +36,8 @@ impl Register for Plain {
         root(a) = a.sqrt();
         magnitude(a) = a.abs();
         maximum(a, b) = if a > b { a } else { b };
+        sine(a) = Real::sin(a);
+        cosine(a) = Real::cos(a);
     }
 
     #[cfg_attr(optimised, inline(always))]

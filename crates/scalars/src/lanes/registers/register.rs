@@ -1,6 +1,5 @@
 //! Registers of several `f64` as the processor offers them, and pairs of registers.
 
-use super::super::packed::{Packed, cosine, sine};
 use crate::numbers::mask::Mask;
 
 /// A register of `COUNT` numbers with the operations of the processor, which round in each lane as `f64`
@@ -66,17 +65,10 @@ pub trait Register: Copy + Send + Sync + 'static {
         Self::subtract(c, Self::multiply(a, b))
     }
 
-    /// Returns sin a. It is so long that its code is not repeated where it is called: an implementation for instructions that
-    /// not every processor has calls [`sine`](super::super::packed::sine) in a function that is compiled for them.
-    #[inline(never)]
-    fn sine(a: Self) -> Self {
-        sine(Packed(a)).0
-    }
+    /// Returns sin a, in code that is not repeated where it is called, since it is long.
+    fn sine(a: Self) -> Self;
     /// Returns cos a, as [`sine`](Self::sine) does.
-    #[inline(never)]
-    fn cosine(a: Self) -> Self {
-        cosine(Packed(a)).0
-    }
+    fn cosine(a: Self) -> Self;
 
     /// Returns the mask of the lanes in which a ≤ b.
     fn at_most(a: Self, b: Self) -> Self::Mask;

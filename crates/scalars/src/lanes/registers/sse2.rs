@@ -1,7 +1,8 @@
 //! Two lanes in a register of 128 bits, which every x86-64 processor has.
 #![allow(unsafe_code)] // the intrinsics
 
-use super::intrinsics::{intrinsics, mask_of_bits, register};
+use super::super::packed::{Packed, cosine, sine};
+use super::intrinsics::{compiled_for, intrinsics, mask_of_bits, register};
 use super::register::Register;
 use crate::numbers::mask::Mask;
 use core::arch::x86_64::{
@@ -40,6 +41,12 @@ register! {
         fn magnitude(a: Self) -> Self {
             // SAFETY: every processor of this target has SSE2, see `Sse2`.
             Self(unsafe { _mm_andnot_pd(Self::splat(-0.0).0, a.0) })
+        }
+
+        compiled_for! {
+            "sse2":
+            sine = sine;
+            cosine = cosine;
         }
 
         #[cfg_attr(optimised, inline(always))]

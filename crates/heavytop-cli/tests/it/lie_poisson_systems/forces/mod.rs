@@ -1,0 +1,8 @@
+//! Systems, tops, lattices and fluids with inputs, drives, friction, noise and torques.
+
+mod systems_with_forces;
+mod tops_with_forces;
+mod lattices_with_noise;
+mod fluids_with_forces;
+mod sweeps_with_forces;
+mod refused_forces;
