@@ -23,14 +23,14 @@ struct Forces {
 }
 
 const LATTICE: Forces = Forces {
-    kind: "spin-lattice",
+    kind: LatticeTerms::KIND,
     tables: &["damping", "noise"],
     keys: &["damping.friction", "damping.form", "noise.temperature"],
     has: "a spin-lattice has friction and form in [damping], and temperature, seed, path, interval and bound in [noise]",
 };
 
 const FLUID: Forces = Forces {
-    kind: "sphere-fluid",
+    kind: FluidTerms::KIND,
     tables: &["damping", "noise", "torque"],
     keys: &[
         "damping.viscosity",
