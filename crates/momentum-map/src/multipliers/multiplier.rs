@@ -131,12 +131,13 @@ pub trait Multipliers: Clone {
 /// # Example
 /// ```
 /// use lie_poisson::Quaternion;
-/// use momentum_map::{InvertibleMultipliers, Multipliers, Quaternions};
+/// use momentum_map::{InvertibleMultipliers, Multiplier, Multipliers, Quaternions};
 /// use nalgebra::Vector3;
-/// fn cayley<M: InvertibleMultipliers<Multiplier<f64> = Quaternion<f64>>>(m: M, a: Quaternion<f64>) -> Quaternion<f64> {
-///     m.product(&m.inverse(&(m.one::<f64>() - a)), &(m.one::<f64>() + a))
+/// fn cayley<M: InvertibleMultipliers>(m: &M, half: Multiplier<M>) -> Multiplier<M> {
+///     let one = m.one::<f64>();
+///     m.product::<f64>(&m.inverse::<f64>(&(one - half)), &(one + half))
 /// }
-/// let turn = cayley(Quaternions, Quaternion { scalar: 0.0, vector: Vector3::new(0.3, -0.2, 0.5) });
+/// let turn = cayley(&Quaternions, Quaternion { scalar: 0.0, vector: Vector3::new(0.3, -0.2, 0.5) });
 /// assert!((turn.norm_squared() - 1.0).abs() < 1e-15);
 /// ```
 pub trait InvertibleMultipliers: Multipliers {}
