@@ -32,8 +32,6 @@ pub fn errors() -> Vec<String> {
     };
     let noisy =
         |strength, bound| OpenTerms { noise: noise(strength, bound), ..OpenTerms::default() };
-    let zeros = || Some(spin.element("torque", []).unwrap());
-    let both = OpenTerms { torque: zeros(), ..noisy(1.0, None) };
     let drive = Some(vec![spin.formula("drive", "1").unwrap()]);
     let plane = InnerProduct::new(&[1.0, 0.0, 0.0, 1.0]).unwrap();
     let numbered = |path, interval| {
@@ -57,7 +55,6 @@ pub fn errors() -> Vec<String> {
         refused(open(noisy(1.0, Some(0.5)))),
         refused(open(noisy(-1.0, None))),
         refused(NoiseFields::thermal(None, 1.0)),
-        refused(open(both)),
         refused(open(damped(-1.0, InnerProduct::euclidean())).map_err(FormulaSystemError::from)),
     ]
 }
