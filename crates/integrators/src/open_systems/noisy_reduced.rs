@@ -16,7 +16,7 @@ use momentum_map::{InvertibleMultipliers, LiftError, Multiplier};
 
 /// The collective midpoint rule of an [orbit field](OrbitField) ξ with [noise](Noise) σ_k, without a lift: the map of
 /// [`Noisy`](crate::Noisy) with [`RungeKutta::implicit_midpoint`](crate::RungeKutta::implicit_midpoint) and all noise
-/// [together](NoiseRule::Together), in half to three quarters of its time.
+/// [together](NoiseRule::Together), with fewer unknowns. The benchmark `open_systems` of `heavytop` times both.
 ///
 /// With the motion ζ of a step, and the inverse of [multipliers](momentum_map::Multipliers), it reads
 ///
@@ -30,6 +30,7 @@ use momentum_map::{InvertibleMultipliers, LiftError, Multiplier};
 /// where steps of [`Noisy`](crate::Noisy), on the space of the lift, fail. Each path keeps all Casimirs to round-off. A step does
 /// not depend on the steps before it.
 ///
+/// The sign is that of the multipliers: dμ = Λξ dt + Σ_k Λσ_k ∘ dW_k, with dμ = Π × ξ dt on so(3)∗ with the minus bracket.
 /// A momentum is (μ, (number of the path, time)), as that of [`Noisy`](crate::Noisy); all of 𝔤∗ is allowed.
 ///
 /// Sources: Milstein, Repin & Tretyakov, SIAM J. Numer. Anal. 40 (2002); Ohsawa 2019, §5.1, for the midpoint rule without a lift.

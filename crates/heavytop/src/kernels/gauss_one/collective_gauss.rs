@@ -119,8 +119,8 @@ impl CollectiveGauss {
     /// Lets the iteration end where a sweep changes the stages by at most this part of the point, h |δk| ≤ τ |z|. At 0, the
     /// default, and at numbers that are not positive, it goes on to the round-off floor.
     ///
-    /// What is left of a step has the same sign in the next one, so that the Casimirs drift. Over 40 000 steps of 1/4 of
-    /// Kovalevskaya's top with eight stages, τ = 5e-14 saves a quarter of the time, and they drift by 1e-12 instead of 1e-14.
+    /// τ has no unit, and the steps are the same in all units. What is left of a step has the same sign in the next one, so that
+    /// the Casimirs drift in proportion to the time.
     #[must_use]
     pub fn with_tolerance(self, tolerance: f64) -> Self {
         let tolerance = if tolerance > 0.0 { tolerance } else { 0.0 };

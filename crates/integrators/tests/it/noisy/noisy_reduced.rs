@@ -135,6 +135,43 @@ fn noise_of_any_size_keeps_the_spin_and_its_steps_have_solutions() {
     assert!(failed > 10, "{failed}");
 }
 
+/// h = −B s₃ with the field B.
+#[derive(Clone, Copy)]
+struct InField(f64);
+
+impl Energy for InField {
+    type Space = LiePoisson<So3>;
+
+    fn energy<T: Real>(&self, Covector(s): &Point<Self::Space, T>) -> T {
+        s.z * -self.0
+    }
+}
+
+/// In units in which a spin is s and a second τ times as large, B is 1/τ, kT is s/τ and θ is 1/s of what they were; at rest on
+/// a pole at temperature 0, and for μ = 0, nothing moves.
+#[test]
+fn units_do_not_matter_and_what_is_at_rest_stays() {
+    let end = |(s, tau): (f64, f64), temperature: f64, start: Vector3<f64>| {
+        let (space, product) = (LiePoisson::minus(So3), InnerProduct::euclidean);
+        let h = Autonomous(Automatic(InField(1.0 / tau)));
+        let field = DoubleBracket::new(space, h, 0.3 / s, product()).unwrap();
+        let noise = IsotropicNoise::thermal(product(), (0.3 / s, temperature * s / tau)).unwrap();
+        let paths = BrownianPaths::new(1, STEP * tau).unwrap();
+        let spin = NoisyReduced::new(Quaternions, field, noise, paths);
+        spin.after(&on_path(Covector(start * s), 5), STEP * tau, 100).unwrap().momentum.0.0 / s
+    };
+    let one = end((1.0, 1.0), 0.7, spin().0);
+    assert!((one - spin().0).norm() > 0.1);
+    for units in [(1e30, 1.0), (1e-30, 1.0), (1.0, 1e30), (1.0, 1e-30), (1e-30, 1e30)] {
+        // A hundred steps of some ten roundings.
+        assert!((end(units, 0.7, spin().0) - one).norm() < 1e-12, "{units:?}");
+    }
+    for pole in [Vector3::z(), -Vector3::z()] {
+        assert!((end((1.0, 1.0), 0.0, pole) - pole).norm() < 1e-13);
+    }
+    assert_eq!(end((1.0, 1.0), 0.7, Vector3::zeros()), Vector3::zeros());
+}
+
 /// A field that is too steep for the sweeps ends in an error.
 #[test]
 fn stages_that_do_not_converge_are_an_error() {
