@@ -138,7 +138,7 @@ impl Integration<'_> {
     /// Applies the scheme along momenta of one's own.
     fn realised(&self, scheme: AnyScheme, momenta: Arc<QuadraticMomenta>, is_plus: bool) -> Made {
         let (order, point) = (scheme.order(), AnyState::from_slice(&vec![0.0; momenta.size()]));
-        let motion = Direct::new(scheme, self.realised_field(&momenta, is_plus)?);
+        let motion = Direct::new(ByPointer(scheme), self.realised_field(&momenta, is_plus)?);
         let guarded = self.guarded(RealisedCollective { motion, momenta }, order)?;
         Ok(AnyIntegrator::of_states_with_tangents(guarded, &point, &self.momentum_of_any_size()))
     }
@@ -248,7 +248,7 @@ impl Integration<'_> {
     /// Applies the scheme to the equations on an algebra of any dimension.
     fn direct_of_table(&self, scheme: AnyScheme) -> AnyIntegrator<dyn AnyTangents> {
         let momentum = self.momentum_of_any_size();
-        let direct = Direct::new(scheme, self.table_field());
+        let direct = Direct::new(ByPointer(scheme), self.table_field());
         AnyIntegrator::of_states_with_tangents(direct, &momentum, &momentum)
     }
 

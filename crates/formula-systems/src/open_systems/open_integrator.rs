@@ -5,8 +5,8 @@ use super::open_system::OpenSystem;
 use crate::error::FormulaSystemError;
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use collective_integrators::{
-    AnyIntegrator, AnyState, AnyTangents, Composition, Integrator, NoisePart, RungeKutta, Scheme,
-    Start, Step, StepError, StepParts,
+    AnyIntegrator, AnyState, AnyTangents, ByPointer, Composition, Integrator, NoisePart,
+    RungeKutta, Scheme, Start, Step, StepError, StepParts,
 };
 use core::cell::RefCell;
 use lie_poisson::{Pair, Real, State};
@@ -25,7 +25,8 @@ const GROWN: f64 = 16.0;
 
 /// A scheme applied to the field of an open system, on the momentum or upstairs.
 pub(super) struct OpenIntegrator {
-    scheme: AnyScheme,
+    /// A field of an open system costs much more than a call.
+    scheme: ByPointer<AnyScheme>,
     system: OpenSystem,
     /// The momenta, and the sign of the generator that makes the bracket of the system.
     momenta: Option<(Arc<QuadraticMomenta>, f64)>,
@@ -49,7 +50,7 @@ impl OpenIntegrator {
         let has_plus = system.base().has_plus_bracket();
         let sign = |is_plus| if is_plus == has_plus { 1.0 } else { -1.0 };
         let momenta = momenta.map(|(momenta, is_plus)| (momenta, sign(is_plus)));
-        Self { scheme, system, momenta, attitude }
+        Self { scheme: ByPointer(scheme), system, momenta, attitude }
     }
 
     /// Returns the integrator if it can start from a state.
@@ -108,7 +109,7 @@ impl OpenIntegrator {
 impl<T: Real> Integrator<T> for OpenIntegrator {
     type State = OpenState<T>;
     type Momentum = AnyState<T>;
-    type Workspace = OpenWorkspace<<AnyScheme as Scheme>::Workspace<OpenState<T>>, T>;
+    type Workspace = OpenWorkspace<<ByPointer<AnyScheme> as Scheme>::Workspace<OpenState<T>>, T>;
 
     fn workspace(&self) -> Self::Workspace {
         let scratch = Scratch::new(self.dimension());

@@ -76,7 +76,12 @@ impl<A: LieAlgebra, T: Real> Hamiltonian<LiePoisson<A>, T> for FormulaHamiltonia
 
     #[cfg_attr(optimised, inline(always))]
     fn differential(&self, mu: &Momentum<A, T>) -> A::Element<T> {
-        self.formula.differential(mu)
+        // With derivatives it costs much more than a call.
+        if T::from_f64(0.0).without_derivative().is_some() {
+            differential_apart::<A, T>(&self.formula, mu)
+        } else {
+            self.formula.differential(mu)
+        }
     }
 
     /// Returns D²h(μ)·v, which is formed symbolically from the text, as dh is.
@@ -84,6 +89,15 @@ impl<A: LieAlgebra, T: Real> Hamiltonian<LiePoisson<A>, T> for FormulaHamiltonia
     fn hessian(&self, mu: &Momentum<A, T>, v: &Momentum<A, T>) -> Option<A::Element<T>> {
         Some(self.formula.second_derivative(mu, v))
     }
+}
+
+/// Returns dh in code that is compiled once for each algebra and scalar, and not at each place where a step needs it.
+#[inline(never)]
+fn differential_apart<A: LieAlgebra, T: Real>(
+    formula: &Formula,
+    mu: &Momentum<A, T>,
+) -> A::Element<T> {
+    formula.differential(mu)
 }
 
 impl<A> Clone for FormulaHamiltonian<A> {

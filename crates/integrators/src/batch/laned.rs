@@ -256,6 +256,22 @@ where
     Ok(())
 }
 
+/// Makes the [`steps`], compiled once for the groups of these lanes and for the members that fail in wider ones.
+#[inline(never)]
+fn steps_apart<I, T>(
+    integrator: &I,
+    workspace: &mut <I as Integrator<T>>::Workspace,
+    group: &mut [<I as Integrator<f64>>::State],
+    step: f64,
+    count: u64,
+) -> Result<(), StepError>
+where
+    I: Integrator<f64, State: Vector> + Integrator<T, State: Vector>,
+    T: Lanes,
+{
+    steps::<I, T>(integrator, workspace, group, step, count)
+}
+
 impl<I, T> Group for LaneGroup<'_, I, T>
 where
     I: Integrator<f64, State: Vector>
@@ -272,9 +288,12 @@ where
 
     #[cfg_attr(optimised, inline(always))]
     fn together(&mut self, group: &mut [Self::Member], step: f64, count: u64) -> LaneResults {
+        if T::HAS_SLOW_PATHS {
+            let made = steps_apart::<I, T>(self.integrator, self.workspace, group, step, count);
+            return core::array::from_fn(|lane| made.is_ok() && lane < group.len());
+        }
         match steps::<I, T>(self.integrator, self.workspace, group, step, count) {
             Ok(()) => core::array::from_fn(|lane| lane < group.len()),
-            Err(_) if T::HAS_SLOW_PATHS => LaneResults::default(),
             Err(_) => self.repeats.four_at_a_time(self.integrator, group, step, count),
         }
     }
@@ -316,7 +335,7 @@ where
         let width = DefaultLanes::COUNT;
         for (members, results) in group.chunks_mut(width).zip(results.chunks_mut(width)) {
             results.fill(
-                steps::<I, DefaultLanes>(integrator, workspace, members, step, count).is_ok(),
+                steps_apart::<I, DefaultLanes>(integrator, workspace, members, step, count).is_ok(),
             );
         }
         results

@@ -4,6 +4,7 @@ pub(crate) mod scheme;
 pub(crate) mod explicit_step;
 pub(crate) mod refinement;
 pub(crate) mod runge_kutta;
+pub(crate) mod stage_equations;
 pub(crate) mod named_runge_kutta;
 pub(crate) mod polarisation;
 pub(crate) mod partitioned;

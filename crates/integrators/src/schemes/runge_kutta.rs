@@ -2,25 +2,22 @@
 
 use crate::error::StepError;
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
-use crate::iteration::convergence::{Ratios, is_finite};
-use crate::iteration::lane_problem::{LaneProblem, Outcome};
+use crate::iteration::convergence::is_finite;
 use crate::iteration::stage_rows::{StageColumns, StageRows};
 use crate::iteration::stage_scale::StageScale;
-use crate::iteration::stage_solver::{
-    StageEquations, StageSolver, Unconverged, fit, set_combination,
-};
+use crate::iteration::stage_solver::{StageSolver, Unconverged, fit, set_combination};
 use crate::schemes::explicit_step::four_stages;
 use crate::schemes::refinement::Refinement;
 use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
+use crate::schemes::stage_equations::{Stages, is_plain_and_small};
 use crate::stages::branch::solve_on_branch;
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
-use crate::stages::newton::NewtonWorkspace;
+use crate::stages::newton::{FieldOn, NewtonWorkspace};
 use crate::sums::exact_combination::add_exactly;
 use crate::sums::halves::scale_evenly;
 use crate::tableaux::tableau::Tableau;
 use crate::vector_field::VectorField;
-use core::hint::black_box;
 use lie_poisson::{Mask, Pair, Real, State};
 
 /// A Runge–Kutta method: a [`Tableau`], and a solver for its stages if it is implicit.
@@ -110,29 +107,44 @@ impl RungeKutta {
         let solved = if follows { Unconverged::unless(solved, cancelling) } else { solved };
         let outcome = match solved {
             Err(unconverged) if may_follow && newton.allows(self.tableau.stages(), z) => {
-                field.at_into(z, &mut spare);
-                // Newton's iteration begins at X(z). If that is not a number, its dense matrix would be computed in
-                // vain.
-                let begins = is_finite(BlockSizes::of(core::slice::from_ref(&spare)).largest());
-                if begins.and(unconverged.converged.not()).any() && step.is_finite() {
-                    let (method, unknowns) = ((tableau, &self.solver), (&spare, k.as_mut_slice()));
-                    let (outcome, cancelling) =
-                        solve_on_branch(field, (z, step), method, &unconverged, unknowns, newton);
-                    memory.include_cancelling(cancelling);
-                    // What the sweeps have found says more than that Newton's iteration finds nothing.
-                    let found = unconverged.astray.any();
-                    let outcome =
-                        outcome.map_err(|error| if found { unconverged.error } else { error });
-                    outcome.map(|iterations| (iterations, unconverged.converged))
-                } else {
-                    Err(unconverged.error)
-                }
+                let unknowns = (&mut spare, k.as_mut_slice());
+                self.follow_branch(field, (z, step), &unconverged, unknowns, (memory, newton))
             }
             Ok(iterations) => Ok((iterations, T::Mask::from_bool(true))),
             Err(unconverged) => Err(unconverged.error),
         };
         spare.give(pool);
         outcome
+    }
+
+    /// Continues with Newton's iteration where sweeps have not converged. It is rare, and so compiled once for each type of
+    /// vectors, and not for each field.
+    #[cold]
+    #[inline(never)]
+    fn follow_branch<V: State>(
+        &self,
+        field: &FieldOn<'_, V>,
+        (z, step): (&V, f64),
+        unconverged: &Unconverged<MaskOf<V>>,
+        (spare, k): (&mut V, &mut [V]),
+        (memory, newton): (&mut StageHistory<V>, &mut NewtonWorkspace<V::Scalar>),
+    ) -> Result<(usize, MaskOf<V>), StepError> {
+        field.at_into(z, spare);
+        // Newton's iteration begins at X(z). If that is not a number, its dense matrix would be computed in vain.
+        let begins = is_finite(BlockSizes::of(core::slice::from_ref(&*spare)).largest());
+        if !begins.and(unconverged.converged.not()).any() || !step.is_finite() {
+            return Err(unconverged.error);
+        }
+        let (method, unknowns) = ((&self.tableau, &self.solver), (&*spare, k));
+        let (outcome, cancelling) =
+            solve_on_branch(field, (z, step), method, unconverged, unknowns, newton);
+        memory.include_cancelling(cancelling);
+        match outcome {
+            Ok(iterations) => Ok((iterations, unconverged.converged)),
+            // What the sweeps have found says more than that Newton's iteration finds nothing.
+            Err(_) if unconverged.astray.any() => Err(unconverged.error),
+            Err(error) => Err(error),
+        }
     }
 
     /// Computes the stage derivatives of a step in the workspace. Returns the number of iterations, and the lanes in
@@ -178,71 +190,6 @@ impl RungeKutta {
         }
         change
     }
-}
-
-/// The equations k_i = X(z + h Σ_j a_ij k_j).
-struct Stages<'a, F, V: State> {
-    tableau: &'a Tableau,
-    field: &'a F,
-    z: &'a V,
-    h: V::Scalar,
-    /// The sums Σ_j low_ij k_j, or zero if the coefficients have no low parts.
-    small: &'a mut [V],
-    pool: &'a mut V::Pool,
-    /// The additional data for a field that computes the stages side by side.
-    lanes: Option<(&'a StageColumns, f64, &'a StageScale<V>, &'a mut StageRows)>,
-}
-
-impl<F: VectorField<V::Scalar, Point = V>, V: State> StageEquations<V> for Stages<'_, F, V> {
-    #[cfg_attr(optimised, inline(always))]
-    fn has_low_parts(&self) -> bool {
-        !self.tableau.row_low(0).is_empty()
-    }
-
-    #[cfg_attr(optimised, inline(always))]
-    fn solve_in_lanes(
-        &mut self,
-        solver: &StageSolver,
-        k: &mut [V],
-        (pace, usual): (&mut Ratios<V::Scalar>, usize),
-    ) -> Option<Outcome<V>> {
-        let (columns, step, scale, rows) = self.lanes.as_mut()?;
-        let (z, step) = (self.z, *step);
-        let mut problem = LaneProblem { columns, solver, scale, z, step, k, pace, usual, rows };
-        self.field.solve_in_lanes(&mut problem)
-    }
-
-    #[cfg_attr(optimised, inline(always))]
-    fn evaluate(&mut self, i: usize, k: &[V], near: MaskOf<V>, value: &mut V) {
-        let mut stage = V::take(self.pool, self.z);
-        if near.any() {
-            set_combination(&mut stage, self.tableau.row_low(i), k);
-            self.small[i].replace_where(near, &stage);
-        }
-        stage.assign(&self.small[i]);
-        let (before, after) = self.tableau.row(i).split_at(i);
-        // The newest stage comes last, so that the other terms need not wait for it.
-        stage.add_combination(after, &k[i..]);
-        stage.add_combination(before, k);
-        stage.scale_in_place(self.h);
-        stage.add_in_place(self.z);
-        if is_plain_and_small::<V>() {
-            // In memory, so that the compiler pairs the coordinates in the sums in the order in which it loads them, and
-            // not in one that suits the field.
-            let mut point = stage.clone();
-            black_box(&mut point);
-            self.field.at_into(&point, value);
-        } else {
-            self.field.at_into(&stage, value);
-        }
-        stage.give(self.pool);
-    }
-}
-
-/// Returns whether the scalars of the state are plain numbers, and the state is not on the heap.
-#[cfg_attr(optimised, inline(always))]
-fn is_plain_and_small<V: State>() -> bool {
-    size_of::<V::Pool>() == 0 && V::Scalar::from_f64(0.0).as_f64().is_some()
 }
 
 /// The storage of a Runge–Kutta step: its stage derivatives, those of earlier steps, and the matrix of Newton's

@@ -8,6 +8,7 @@ use crate::iteration::stage_solver::{
 };
 use crate::stage_frame::StageFrame;
 use crate::stages::extrapolation::Predictor;
+use crate::stages::newton::FieldOn;
 use crate::vector_field::VectorField;
 use lie_poisson::{Mask, Real, State};
 
@@ -100,7 +101,7 @@ impl<V: State> StageHistory<V> {
         self.keep_where(z, size, predictor, &frame);
         let guessed = self.guess(predictor, &frame, k, spare);
         if !guessed.all() {
-            begin(field, z, guessed, (k, spare));
+            begin_with(field, z, guessed, (k, spare));
         }
         let none = MaskOf::<V>::from_bool(false);
         let usual = if guessed.all() { self.iterations } else { 0 };
@@ -115,7 +116,7 @@ impl<V: State> StageHistory<V> {
         if let Err(first) = &outcome {
             let misled = guessed.and(first.converged.not());
             if V::Scalar::HAS_SLOW_PATHS && misled.any() {
-                begin(field, z, misled.not(), (k, spare));
+                begin_with(field, z, misled.not(), (k, spare));
                 let has_low_parts = equations.has_low_parts();
                 let mut evaluate = |i: usize, k: &[V], near: MaskOf<V>, value: &mut V| {
                     equations.evaluate(i, k, near, value)
@@ -263,9 +264,24 @@ impl<V: State> StageHistory<V> {
     }
 }
 
-/// Sets k_i = X(z) in the lanes that are not `done`. It is rare, except for methods without predictions.
+/// Sets k_i = X(z) in the lanes that are not `done`. It is rare, except for methods without predictions, and so compiled
+/// once for each type of vectors where a field may be called through a pointer.
+#[cfg_attr(optimised, inline(always))]
+fn begin_with<V: State, F: VectorField<V::Scalar, Point = V>>(
+    field: &F,
+    z: &V,
+    done: MaskOf<V>,
+    unknowns: (&mut [V], &mut V),
+) {
+    if V::Scalar::HAS_SLOW_PATHS {
+        begin::<V, FieldOn<'_, V>>(field, z, done, unknowns);
+    } else {
+        begin(field, z, done, unknowns);
+    }
+}
+
 #[inline(never)]
-fn begin<V: State, F: VectorField<V::Scalar, Point = V>>(
+fn begin<V: State, F: ?Sized + VectorField<V::Scalar, Point = V>>(
     field: &F,
     z: &V,
     done: MaskOf<V>,

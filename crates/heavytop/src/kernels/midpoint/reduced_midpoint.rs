@@ -4,7 +4,8 @@ use super::closed_form::{Velocity, end, half_angle, middle, whole_turn};
 use crate::attitude::step_rotation::{TurnedStep, Turning, unit};
 use crate::tops::top::HeavyTopSpace;
 use collective_integrators::{
-    Integrator, LiftFree, RungeKutta, StageMemory, StageSolver, StateIsMomentum, Step, StepError,
+    ByPointer, Integrator, LiftFree, RungeKutta, StageMemory, StageSolver, StateIsMomentum, Step,
+    StepError,
 };
 use lie_poisson::{Hamiltonian, LiePoisson, Real, Se3, Se3Dual, Vector};
 use momentum_map::DualQuaternions;
@@ -52,7 +53,8 @@ use nalgebra::Vector3;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReducedMidpoint<H> {
-    lift_free: LiftFree<RungeKutta, DualQuaternions, H>,
+    /// Newton's iteration is rare, so that calls of the field cost nothing.
+    lift_free: LiftFree<ByPointer<RungeKutta>, DualQuaternions, H>,
     solver: StageSolver,
 }
 
@@ -66,7 +68,7 @@ impl<H> ReducedMidpoint<H> {
         H: Hamiltonian<LiePoisson<Se3>>,
     {
         let lift_free =
-            LiftFree::new(RungeKutta::implicit_midpoint(), DualQuaternions, hamiltonian);
+            LiftFree::new(ByPointer(RungeKutta::implicit_midpoint()), DualQuaternions, hamiltonian);
         Self { lift_free, solver: FIXED_POINT }
     }
 
@@ -149,7 +151,8 @@ pub struct ReducedMidpointWorkspace<H: Hamiltonian<HeavyTopSpace, T>, T: Real = 
 }
 
 /// The workspace of Newton's iteration.
-type NewtonWorkspace<H, T> = <LiftFree<RungeKutta, DualQuaternions, H> as Integrator<T>>::Workspace;
+type NewtonWorkspace<H, T> =
+    <LiftFree<ByPointer<RungeKutta>, DualQuaternions, H> as Integrator<T>>::Workspace;
 
 impl<H, T> Integrator<T> for ReducedMidpoint<H>
 where
@@ -161,7 +164,7 @@ where
     type Workspace = ReducedMidpointWorkspace<H, T>;
 
     fn workspace(&self) -> Self::Workspace {
-        let velocities = StageMemory::new(self.lift_free.scheme().tableau().nodes());
+        let velocities = StageMemory::new(self.lift_free.scheme().0.tableau().nodes());
         ReducedMidpointWorkspace { velocities, newton: Integrator::<T>::workspace(&self.lift_free) }
     }
 

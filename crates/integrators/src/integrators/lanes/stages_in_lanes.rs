@@ -123,11 +123,23 @@ impl<I: FieldInLanes> StagesInLanes<I> {
     fn try_steps(&self, set: InstructionSet, state: &I::State, step: f64) {
         let (mut end, mut workspace) = (state.clone(), self.integrator.workspace());
         for _ in 0..TRIAL_STEPS {
-            match self.integrator.step_in_lanes(set, &end, step, &mut workspace) {
+            match self.step_on(set, &end, step, &mut workspace) {
                 Ok(made) => end = made.point,
                 Err(_) => break,
             }
         }
+    }
+
+    /// Makes a step in the registers of an instruction set. It is compiled once, for steps and for trials.
+    #[inline(never)]
+    fn step_on(
+        &self,
+        set: InstructionSet,
+        state: &I::State,
+        step: f64,
+        workspace: &mut I::Workspace,
+    ) -> Result<Step<I::State>, StepError> {
+        self.integrator.step_in_lanes(set, state, step, workspace)
     }
 }
 
@@ -147,8 +159,7 @@ impl<I: FieldInLanes> Integrator for StagesInLanes<I> {
         step: f64,
         workspace: &mut Self::Workspace,
     ) -> Result<Step<Self::State>, StepError> {
-        let instructions = self.instructions_from(state, step);
-        self.integrator.step_in_lanes(instructions, state, step, workspace)
+        self.step_on(self.instructions_from(state, step), state, step, workspace)
     }
 
     #[cfg_attr(optimised, inline(always))]

@@ -8,7 +8,9 @@ use crate::arrays::renewed::{Renewed, resumable_after};
 use crate::arrays::sites::sites_system::{momenta, total};
 use crate::arrays::sites::spin_start::spin_start;
 use crate::error::RunFailure;
-use collective_integrators::{AnyIntegrator, AnyState, AnyTangents, Direct, VectorField};
+use collective_integrators::{
+    AnyIntegrator, AnyState, AnyTangents, ByPointer, Direct, VectorField,
+};
 use heavytop::methods::{Formulation, Method, MethodError, SchemeName};
 use lie_poisson::larger;
 use nalgebra::Vector3;
@@ -83,7 +85,7 @@ impl Arrays for Chain {
         let state = |numbers: usize| AnyState::from_slice(&vec![0.0; numbers * self.count]);
         Ok(match formulation {
             Formulation::Direct => {
-                let direct = Direct::new(scheme, *self);
+                let direct = Direct::new(ByPointer(scheme), *self);
                 AnyIntegrator::of_states_with_tangents(
                     Renewed { integrator: direct, period },
                     &state(5),
@@ -91,7 +93,7 @@ impl Arrays for Chain {
                 )
             }
             _ => {
-                let lifted = LiftedChain { scheme, chain: *self };
+                let lifted = LiftedChain { scheme: ByPointer(scheme), chain: *self };
                 AnyIntegrator::of_states_with_tangents(
                     Renewed { integrator: lifted, period },
                     &state(6),

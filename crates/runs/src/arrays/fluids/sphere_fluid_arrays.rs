@@ -9,7 +9,9 @@ use crate::arrays::open::opened::Opening;
 use crate::arrays::open::opened_fluid::OpenedFluid;
 use crate::arrays::renewed::{Renewed, resumable_after};
 use crate::error::RunFailure;
-use collective_integrators::{AnyIntegrator, AnyState, AnyTangents, Direct, VectorField};
+use collective_integrators::{
+    AnyIntegrator, AnyState, AnyTangents, ByPointer, Direct, VectorField,
+};
 use core::f64::consts::PI;
 use heavytop::methods::{Formulation, Method, MethodError, SchemeName};
 use lie_poisson::State;
@@ -86,7 +88,7 @@ impl Arrays for SphereFluid {
                 AnyIntegrator::of_states(Renewed { integrator: reduced, period }, &zero, &zero)
             }
             _ => {
-                let direct = Direct::new(scheme, CommutatorField::new(self.0.clone()));
+                let direct = Direct::new(ByPointer(scheme), CommutatorField::new(self.0.clone()));
                 AnyIntegrator::of_states(Renewed { integrator: direct, period }, &zero, &zero)
             }
         })
@@ -105,7 +107,7 @@ impl Arrays for SphereFluid {
         let scheme = name.runge_kutta(method.tolerance())?.ok_or_else(impossible)?;
         let state = AnyState::from_slice(&vec![0.0; self.size() * self.size()]);
         let period = resumable_after(self.size() * self.size());
-        let direct = Direct::new(scheme, ZeitlinCoordinates(self.0.clone()));
+        let direct = Direct::new(ByPointer(scheme), ZeitlinCoordinates(self.0.clone()));
         let renewed = Renewed { integrator: direct, period };
         Ok(AnyIntegrator::of_states_with_tangents(renewed, &state, &state))
     }

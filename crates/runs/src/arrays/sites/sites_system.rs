@@ -4,8 +4,8 @@ use super::open_lattice::OpenLattice;
 use crate::arrays::renewed::{Renewed, resumable_after};
 use crate::error::RunFailure;
 use collective_integrators::{
-    AnyIntegrator, AnyTangents, CollectiveSites, Direct, LiftFreeSites, SphericalMidpoint,
-    StageSolver, VectorField,
+    AnyIntegrator, AnyTangents, ByPointer, CollectiveSites, Direct, LiftFreeSites,
+    SphericalMidpoint, StageSolver, VectorField,
 };
 use heavytop::methods::{Formulation, Method, MethodError, SchemeName};
 use lie_poisson::{Covector, Real, Sites, SitesHamiltonian, State, larger};
@@ -160,7 +160,7 @@ impl SitesSystem {
                 )
             }
             Formulation::Direct => {
-                let direct = Direct::new(scheme, self.clone());
+                let direct = Direct::new(ByPointer(scheme), self.clone());
                 AnyIntegrator::of_states_with_tangents(
                     Renewed { integrator: direct, period },
                     &zero,
