@@ -33,7 +33,7 @@ fn after<K: ?Sized + AnyStart>(
     start: &[f64],
     step: f64,
 ) -> Result<Vec<f64>, Box<dyn std::error::Error>> {
-    Ok(integrator.after(&AnyState::from_slice(start), step, 80)?.momentum.as_slice().to_vec())
+    Ok(integrator.after(&AnyState::from_slice(start), step, 20)?.momentum.as_slice().to_vec())
 }
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
@@ -49,7 +49,7 @@ fn methods(system: &FormulaSystem) -> Vec<Method> {
     pairs.filter_map(|(f, scheme)| system.algebra().method(f, scheme, 0.0).ok()).collect()
 }
 
-/// 80 steps add some 80 rounding errors, which these motions of about 8 rad magnify little.
+/// 20 steps add some 20 rounding errors, which these motions of about 2 rad magnify little.
 #[test]
 fn the_fastest_integrator_makes_the_steps_of_the_one_with_tangents() -> Outcome {
     for (name, other_terms) in ALGEBRAS.into_iter().flat_map(|name| [(name, false), (name, true)]) {

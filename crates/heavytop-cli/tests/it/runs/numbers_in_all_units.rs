@@ -160,44 +160,50 @@ fn swept(folder: &Folder, text: &str) -> Vec<Named> {
     names.iter().filter(|name| !name.contains('.')).flat_map(values).collect()
 }
 
-#[test]
-fn sweep_tells_the_same_in_all_units() {
+/// Observables of every sweep.
+const SHARED: &str =
+    "'final-state', 'invariant-drift', 'relative-drift', 'lyapunov', 'megno', 'sali'";
+
+/// Returns an axis of two values of a number with a unit.
+fn axis(name: &str, unit: f64) -> String {
+    let [from, to] = [1.5 * unit, 2.5 * unit];
+    format!("axes = [{{ parameter = '{name}', from = {from:e}, to = {to:e}, count = 2 }}]\n")
+}
+
+fn sweeps_tell_the_same(what: &str, sizes: &[f64], text: impl Fn(Units) -> String) {
     let folder = Folder::new();
-    let shared = "'final-state', 'invariant-drift', 'relative-drift', 'lyapunov', 'megno', 'sali'";
-    let axis = |name: &str, unit: f64| {
-        let [from, to] = [1.5 * unit, 2.5 * unit];
-        format!("axes = [{{ parameter = '{name}', from = {from:e}, to = {to:e}, count = 2 }}]\n")
-    };
-    let top = |units: Units| {
+    let reference = swept(&folder, &text(ONE));
+    for units in sizes.iter().copied().flat_map(Units::of_size) {
+        let found = swept(&folder, &text(units));
+        assert_same(what, units, &found, &reference, TOLERANCE);
+        // Control: a deviation that is not relative is another number in another unit.
+        let drift = |values: &[Named]| values.iter().find(|(n, _)| n == "drift_h").unwrap().1;
+        assert!((drift(&found) / drift(&reference) - 1.0).abs() > 0.5, "{what} {units:?}");
+    }
+}
+
+#[test]
+fn sweeps_of_tops_tell_the_same_in_all_units() {
+    sweeps_tell_the_same("tops", &[1e-30, 1e15], |units| {
         let sweep = axis("initial.angular_momentum[2]", units.momentum());
         let own = "'rotation-number', 'nutation-amplitude'";
         // Two maxima of the height.
-        let run = units.integrator("splitting", "strang");
-        let run = run.replace("end = 2e", "end = 8e");
-        format!("{}[sweep]\nobservables = [{shared}, {own}]\n{sweep}{run}", units.top())
-    };
-    let system = |formulation: &'static str, scheme: &'static str| {
-        move |units: Units| {
+        let run = units.integrator("splitting", "strang").replace("end = 2e", "end = 8e");
+        format!("{}[sweep]\nobservables = [{SHARED}, {own}]\n{sweep}{run}", units.top())
+    });
+}
+
+#[test]
+fn sweeps_of_systems_tell_the_same_in_all_units() {
+    for (formulation, scheme, sizes) in [
+        ("collective", "rk4", &[1e-30, 1e15][..]),
+        ("reduced", "gauss-4", &[1e-30]),
+        ("direct", "rk4", &[1e15]),
+    ] {
+        sweeps_tell_the_same(formulation, sizes, |units| {
             let sweep = axis("system.initial.Pi[2]", units.momentum());
             let run = units.integrator(formulation, scheme);
-            format!("{}[sweep]\nobservables = [{shared}]\n{sweep}{run}", units.system())
-        }
-    };
-    type Text<'a> = &'a dyn Fn(Units) -> String;
-    let texts: [(&str, Text<'_>); 4] = [
-        ("tops", &top),
-        ("systems, collective", &system("collective", "rk4")),
-        ("systems, reduced", &system("reduced", "gauss-4")),
-        ("systems, direct", &system("direct", "rk4")),
-    ];
-    for (what, text) in texts {
-        let reference = swept(&folder, &text(ONE));
-        for units in [1e-30, 1e-6, 1e15].into_iter().flat_map(Units::of_size) {
-            let found = swept(&folder, &text(units));
-            assert_same(what, units, &found, &reference, TOLERANCE);
-            // Control: a deviation that is not relative is another number in another unit.
-            let drift = |values: &[Named]| values.iter().find(|(n, _)| n == "drift_h").unwrap().1;
-            assert!((drift(&found) / drift(&reference) - 1.0).abs() > 0.5, "{what} {units:?}");
-        }
+            format!("{}[sweep]\nobservables = [{SHARED}]\n{sweep}{run}", units.system())
+        });
     }
 }
