@@ -1,6 +1,6 @@
 //! The stochastic midpoint rule in closed form, against that of the lift.
 
-use super::support::{isotropic, on_path};
+use super::support::{InField, isotropic, on_path};
 use collective_integrators::{
     BrownianPaths, Ensemble, Integrator, Laned, Noisy, NoisyReduced, RungeKutta, Start, StepError,
     laws,
@@ -133,18 +133,6 @@ fn noise_of_any_size_keeps_the_spin_and_its_steps_have_solutions() {
         failed += usize::from(lifted.after(&on_path(spin(), path), STEP, 50).is_err());
     }
     assert!(failed > 10, "{failed}");
-}
-
-/// h = −B s₃ with the field B.
-#[derive(Clone, Copy)]
-struct InField(f64);
-
-impl Energy for InField {
-    type Space = LiePoisson<So3>;
-
-    fn energy<T: Real>(&self, Covector(s): &Point<Self::Space, T>) -> T {
-        s.z * -self.0
-    }
 }
 
 /// In units in which a spin is s and a second τ times as large, B is 1/τ, kT is s/τ and θ is 1/s of what they were; at rest on

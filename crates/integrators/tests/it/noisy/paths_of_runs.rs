@@ -1,6 +1,6 @@
 //! That the noise of a run depends on the seed, the path and the time alone.
 
-use super::support::{Axial, isotropic, langevin, on_path};
+use super::support::{Axial, InField, isotropic, langevin, on_path};
 use collective_integrators::{
     BrownianPaths, Ensemble, Integrator, Laned, NoiseRule, Noisy, RungeKutta, Start, laws,
 };
@@ -86,18 +86,6 @@ fn no_noise_is_the_driven_motion() {
     let Pair(end, Pair(_, time)) = noisy.after(&on_path(start(), 2), STEP, 200).unwrap().momentum;
     let expected = driven.after(&Pair(start(), time * 0.0), STEP, 200).unwrap().momentum;
     assert!((end.0 - expected.0.0).norm() < 1e-13 && (time.x - 10.0).abs() < 1e-12);
-}
-
-/// h = −B s₃ with the field B.
-#[derive(Clone, Copy)]
-struct InField(f64);
-
-impl Energy for InField {
-    type Space = LiePoisson<So3>;
-
-    fn energy<T: Real>(&self, Covector(s): &Point<Self::Space, T>) -> T {
-        s.z * -self.0
-    }
 }
 
 /// In units in which a spin is s and a second τ times as large, B is 1/τ, kT is s/τ and θ is 1/s of what they were.

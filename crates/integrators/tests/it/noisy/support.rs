@@ -2,8 +2,8 @@
 
 use collective_integrators::{BrownianPaths, Noisy, RungeKutta, Start};
 use lie_poisson::{
-    Autonomous, Covector, DoubleBracket, Hamiltonian, InnerProduct, IsotropicNoise, LiePoisson,
-    OrbitField, Pair, PoissonSpace, Real, So3,
+    Autonomous, Covector, DoubleBracket, Energy, Hamiltonian, InnerProduct, IsotropicNoise,
+    LiePoisson, OrbitField, Pair, Point, PoissonSpace, Real, So3,
 };
 use momentum_map::Lift;
 use nalgebra::{Vector1, Vector3};
@@ -84,4 +84,16 @@ where
         let [sum, squares] = [0, 1].map(|i| (first[k][i] + second[k][i]) / number);
         (sum, ((squares - sum * sum) / (number - 1.0)).sqrt())
     })
+}
+
+/// h = −B s₃ with the field B.
+#[derive(Clone, Copy)]
+pub struct InField(pub f64);
+
+impl Energy for InField {
+    type Space = LiePoisson<So3>;
+
+    fn energy<T: Real>(&self, Covector(s): &Point<Self::Space, T>) -> T {
+        s.z * -self.0
+    }
 }

@@ -138,7 +138,7 @@ fn friction_alone_and_the_outputs() {
 fn an_ensemble_has_the_energy_of_the_temperature() {
     let folder = Folder::new();
     folder.write("a.toml", RING);
-    let options = ["ensemble", "a.toml", "--set", "integrator.end=10", "--paths", "30"];
+    let options = ["ensemble", "a.toml", "--set", "integrator.end=10", "--paths", "50"];
     let on = |threads: &str, out: &str| {
         let arguments = [&options[..], &["--out", out]].concat();
         succeeded(&folder.heavytop_on(threads, &arguments))
@@ -153,7 +153,7 @@ fn an_ensemble_has_the_energy_of_the_temperature() {
     let [mean, error] = [0, 1].map(|i| rows[rows.len() - 1][place + i] / 16.0);
     let exact = |k: f64| k.recip() - k.tanh().recip();
     assert!((mean - exact(2.0)).abs() < 4.0 * error, "{mean} ± {error}");
-    assert!((mean - exact(3.0)).abs() > 4.0 * error, "control: {mean} ± {error}");
+    assert!((mean - exact(3.0)).abs() > 6.0 * error, "control: {mean} ± {error}");
 }
 
 /// A lattice that is large enough for several threads.
