@@ -104,7 +104,7 @@ fn the_rate_is_the_limit_of_steps() {
 #[test]
 fn the_energy_of_a_ring_is_that_of_its_temperature() {
     let sites = 48.0;
-    let run = run(lattice(&[sites], 1.0), at(0.5), [0.0, 0.0, 1.0], (0.05, 10.0, 10));
+    let run = run(lattice(&[sites], 1.0), at(0.5), [0.0, 0.0, 1.0], (0.05, 25.0, 10));
     let mut means = Vec::new();
     for path in 0..16 {
         let mut run = run.clone();
