@@ -32,7 +32,8 @@ impl RunArrays {
         let metadata = archive.text("metadata").ok_or_else(foreign)?;
         let metadata: serde_json::Value = serde_json::from_str(&metadata).map_err(|_| foreign())?;
         let text = metadata.get("configuration").and_then(|text| text.as_str());
-        let config: Config = toml::from_str(text.ok_or_else(foreign)?).map_err(|_| foreign())?;
+        let table = toml::from_str(text.ok_or_else(foreign)?).map_err(|_| foreign())?;
+        let config = Config::of_table(table).map_err(|_| foreign())?;
         let subject = RunSubject::new(&config)?;
         let times = archive.numbers("t").map_err(read)?;
         if times.is_empty() {
