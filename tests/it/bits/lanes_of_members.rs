@@ -247,12 +247,9 @@ same_bits_in_registers! {
     lift_free_steps: Free<RungeKutta> = free(gauss(2)), 0.05, 0..100, true;
     lift_free_steps_beyond_a_checkpoint: Free<RungeKutta> =
         free(gauss(1)), 0.05, BEYOND_A_CHECKPOINT, true;
-    large_lift_free_steps: Free<RungeKutta> = free(gauss(2)), 2.0, 0..8, true;
     compensated_steps: Compensated<Free<RungeKutta>> = free(gauss(3)).compensated(), 0.05, 0..40, true;
     compensated_lifted_steps: Compensated<Lifted<RungeKutta>> =
         lifted(gauss(2)).compensated(), 0.05, BEYOND_A_CHECKPOINT, true;
-    large_compensated_steps: Compensated<Lifted<RungeKutta>> =
-        lifted(gauss(2)).compensated(), 1.0, 0..8, true;
     compositions: Free<Composition<RungeKutta>> =
         free(Composition::new(gauss(1), Substeps::suzuki(4).unwrap())), 0.1, 0..40, true;
     partitioned_steps: Lifted<PartitionedRungeKutta<Alternating>> =
@@ -261,8 +258,6 @@ same_bits_in_registers! {
         ), 0.02, 0..100, true;
     reduced_steps: ReducedMidpoint<Automatic<Body>> =
         ReducedMidpoint::new(Automatic(Body)), 0.05, BEYOND_A_CHECKPOINT, true;
-    large_reduced_steps: ReducedMidpoint<Automatic<Body>> =
-        ReducedMidpoint::new(Automatic(Body)), 1.5, 0..8, true;
 }
 
 /// Runs that go on beyond a checkpoint, and longer ones with large steps.

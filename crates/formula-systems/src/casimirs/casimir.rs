@@ -35,13 +35,15 @@ impl ScalarFunction for Formula {
 /// formula may be.
 ///
 /// # Example
-/// The invariants of so(16): the traces of even powers up to X¹⁴, and the Pfaffian, which is printed by its name.
+/// The invariants of so(8): the traces of even powers up to X⁶, and the Pfaffian, which is printed by its name and has the degree 4.
 /// ```
 /// use lie_poisson_formula_systems::{FormulaSystem, SystemAlgebra};
 /// use lie_poisson_formulas::Parameters;
-/// let body = FormulaSystem::new(SystemAlgebra::named("so(16)")?, "L1_2^2", &Parameters::new())?.with_found_casimirs()?;
-/// let pfaffian = body.casimirs().iter().find(|casimir| casimir.to_string() == "Pf X");
-/// assert!(pfaffian.is_some_and(|casimir| casimir.formula().is_none() && casimir.value_at(&[0.0; 120]) == 0.0));
+/// let so8 = SystemAlgebra::named("so(8)")?;
+/// let body = FormulaSystem::new(so8, "L12^2", &Parameters::new())?.with_found_casimirs()?;
+/// let named = body.casimirs().iter().find(|casimir| casimir.to_string() == "Pf X");
+/// let pfaffian = |size: f64| named.map_or(0.0, |pfaffian| pfaffian.value_at(&[size; 28]));
+/// assert!(pfaffian(1.0) != 0.0 && pfaffian(2.0) == 16.0 * pfaffian(1.0));
 /// # Ok::<(), lie_poisson_formula_systems::FormulaSystemError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]

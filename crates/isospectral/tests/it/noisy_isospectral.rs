@@ -105,6 +105,7 @@ fn strong_errors(noise: &[Large]) -> Vec<(f64, f64)> {
 }
 
 #[test]
+#[ignore = "long"]
 fn the_strong_order_is_one_half() {
     let errors = strong_errors(&generators(3));
     let order = fitted_order(&errors, 1e-14).unwrap();
@@ -113,6 +114,7 @@ fn the_strong_order_is_one_half() {
 
 /// One generator, which does not commute with the drift.
 #[test]
+#[ignore = "long"]
 fn the_strong_order_is_one_if_the_noise_commutes() {
     let errors = strong_errors(&generators(1));
     let order = fitted_order(&errors, 1e-14).unwrap();

@@ -194,9 +194,9 @@ impl dyn Model + '_ {
     /// let gauss = so3.method(Formulation::Collective, SchemeName::Gauss(4), 0.0)?;
     /// let body = FormulaSystem::new(so3, "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2", &Default::default())?;
     /// let (body, start): (&dyn Model, _) = (&body, [10.0, 0.1, 10.0]);
-    /// let accuracy = body.accuracy(&gauss, &start, (0.02, 500), &|| true)?;
+    /// let accuracy = body.accuracy(&gauss, &start, (0.02, 100), &|| true)?;
     /// assert!(accuracy.error < Some(1e-9) && accuracy.warning().is_none());
-    /// let accuracy = body.accuracy(&gauss, &start, (0.3, 500), &|| true)?;
+    /// let accuracy = body.accuracy(&gauss, &start, (0.3, 100), &|| true)?;
     /// assert!(accuracy.angle > 3.0 && accuracy.warning().is_some());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -56,7 +56,7 @@ const SCALE: f32 = 1.75;
 /// use heavytop_cli::supervision::Watch;
 /// let folder = tempfile::tempdir()?;
 /// let mut config = Preset::Lagrange.config();
-/// config.integrator = IntegratorConfig { step: Some(0.1), end: Some(0.5), ..Default::default() };
+/// config.integrator = IntegratorConfig { step: Some(0.1), end: Some(0.1), ..Default::default() };
 /// let comparison = compare(&config, folder.path(), None, &Watch::default())?;
 /// let fastest = comparison.recommendations[0].fastest.as_ref().unwrap();
 /// assert!(fastest.error <= 1e-3);

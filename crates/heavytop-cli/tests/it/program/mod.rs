@@ -2,17 +2,40 @@
 #![allow(dead_code)]
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::sync::OnceLock;
 use tempfile::TempDir;
 
-/// Returns the program under test: that of the profile of the tests, or the one that the variable `HEAVYTOP_PROGRAM` names,
-/// since a release makes long runs in a fraction of the time.
+/// Returns the program under test, which is a release where there is one, since that makes long runs in a fraction of the
+/// time: the program that the variable `HEAVYTOP_PROGRAM` names; the release beside the tests, if it is no older than its
+/// sources; the program in the profile of the tests.
 pub fn heavytop() -> &'static str {
     static PROGRAM: OnceLock<String> = OnceLock::new();
-    let compiled = || env!("CARGO_BIN_EXE_heavytop").to_owned();
-    PROGRAM.get_or_init(|| std::env::var("HEAVYTOP_PROGRAM").unwrap_or_else(|_| compiled()))
+    let compiled = env!("CARGO_BIN_EXE_heavytop");
+    PROGRAM.get_or_init(|| {
+        let named = std::env::var("HEAVYTOP_PROGRAM").ok();
+        named.or_else(|| release(Path::new(compiled))).unwrap_or_else(|| compiled.to_owned())
+    })
+}
+
+/// Returns the release in the target folder of this program, if no file from which Cargo made it has changed since. It has the
+/// default features.
+fn release(compiled: &Path) -> Option<String> {
+    if cfg!(feature = "mpi") {
+        return None;
+    }
+    let changed = |path: &Path| path.metadata().and_then(|found| found.modified()).ok();
+    let release = compiled.ancestors().nth(2)?.join("release").join(compiled.file_name()?);
+    let made = changed(&release)?;
+    let sources = std::fs::read_to_string(release.with_extension("d")).ok()?;
+    let (_, sources) = sources.split_once(": ")?;
+    let manifests = ["Cargo.toml", "Cargo.lock"]
+        .map(|name| Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name));
+    // A path with a space is not found in this list: then the release is not taken.
+    let mut all = sources.split_whitespace().map(PathBuf::from).chain(manifests);
+    let is_current = all.all(|path| changed(&path).is_some_and(|changed| changed <= made));
+    is_current.then(|| release.display().to_string())
 }
 
 /// A folder that is removed with its contents when the test ends.

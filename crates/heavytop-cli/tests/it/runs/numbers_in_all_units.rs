@@ -170,10 +170,10 @@ fn axis(name: &str, unit: f64) -> String {
     format!("axes = [{{ parameter = '{name}', from = {from:e}, to = {to:e}, count = 2 }}]\n")
 }
 
-fn sweeps_tell_the_same(what: &str, sizes: &[f64], text: impl Fn(Units) -> String) {
+fn sweeps_tell_the_same(what: &str, text: impl Fn(Units) -> String) {
     let folder = Folder::new();
     let reference = swept(&folder, &text(ONE));
-    for units in sizes.iter().copied().flat_map(Units::of_size) {
+    for units in [1e-30, 1e-6, 1e15].into_iter().flat_map(Units::of_size) {
         let found = swept(&folder, &text(units));
         assert_same(what, units, &found, &reference, TOLERANCE);
         // Control: a deviation that is not relative is another number in another unit.
@@ -183,8 +183,9 @@ fn sweeps_tell_the_same(what: &str, sizes: &[f64], text: impl Fn(Units) -> Strin
 }
 
 #[test]
+#[ignore = "long"]
 fn sweeps_of_tops_tell_the_same_in_all_units() {
-    sweeps_tell_the_same("tops", &[1e-30, 1e15], |units| {
+    sweeps_tell_the_same("tops", |units| {
         let sweep = axis("initial.angular_momentum[2]", units.momentum());
         let own = "'rotation-number', 'nutation-amplitude'";
         // Two maxima of the height.
@@ -194,13 +195,11 @@ fn sweeps_of_tops_tell_the_same_in_all_units() {
 }
 
 #[test]
+#[ignore = "long"]
 fn sweeps_of_systems_tell_the_same_in_all_units() {
-    for (formulation, scheme, sizes) in [
-        ("collective", "rk4", &[1e-30, 1e15][..]),
-        ("reduced", "gauss-4", &[1e-6]),
-        ("direct", "rk4", &[1e15]),
-    ] {
-        sweeps_tell_the_same(formulation, sizes, |units| {
+    for (formulation, scheme) in [("collective", "rk4"), ("reduced", "gauss-4"), ("direct", "rk4")]
+    {
+        sweeps_tell_the_same(formulation, |units| {
             let sweep = axis("system.initial.Pi[2]", units.momentum());
             let run = units.integrator(formulation, scheme);
             format!("{}[sweep]\nobservables = [{SHARED}]\n{sweep}{run}", units.system())

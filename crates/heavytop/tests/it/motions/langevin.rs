@@ -98,6 +98,7 @@ fn require_gibbs(steps: u64, step_error: f64) {
 }
 
 #[test]
+#[ignore = "long"]
 fn a_heavy_top_has_the_means_of_gibbs_on_its_orbit() {
     // The error of the midpoint rule is of the first order in the step.
     require_gibbs(40_000, 4e-3);

@@ -109,6 +109,7 @@ fn spins(steps: u64, temperatures: &[f64]) {
 
 /// Langevin's function.
 #[test]
+#[ignore = "long"]
 fn a_spin_in_a_field_has_the_magnetisation_of_langevin() {
     spins(20_000, &[0.1, 1.0]);
 }
@@ -139,6 +140,7 @@ fn sphere_mean(weight: impl Fn(&Vector3<f64>) -> f64, f: impl Fn(&Vector3<f64>) 
 }
 
 #[test]
+#[ignore = "long"]
 fn a_free_rigid_body_has_the_means_of_gibbs() {
     let (temperature, step) = (0.2, 0.2);
     let paths = BrownianPaths::new(2, step).unwrap();
@@ -154,6 +156,7 @@ fn a_free_rigid_body_has_the_means_of_gibbs() {
 
 /// Control: a step of Euler and Maruyama of Itô's equation that is scaled back to the sphere, at the same step, misses the mean.
 #[test]
+#[ignore = "long"]
 fn a_step_of_euler_and_maruyama_misses_the_means() {
     let (temperature, friction, step) = (1.0, 0.5, 0.4);
     let paths = BrownianPaths::new(2, step).unwrap();

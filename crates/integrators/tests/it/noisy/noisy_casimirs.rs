@@ -73,13 +73,23 @@ fn deviations(rule: NoiseRule, steps: usize) -> [f64; 4] {
     ]
 }
 
-#[test]
-fn noise_keeps_the_casimirs_of_each_path() {
+fn require_casimirs(steps: usize) {
     for rule in [NoiseRule::Together, NoiseRule::Alternating] {
-        let found = deviations(rule, 1000);
-        // Sums of a few thousand roundings.
+        let found = deviations(rule, steps);
+        // Sums of at most a few thousand roundings.
         assert!(found.iter().all(|deviation| *deviation < 1e-12), "{rule:?} {found:?}");
     }
+}
+
+#[test]
+fn noise_keeps_the_casimirs_of_each_path() {
+    require_casimirs(300);
+}
+
+#[test]
+#[ignore = "long"]
+fn noise_keeps_the_casimirs_of_each_path_in_long_runs() {
+    require_casimirs(1000);
 }
 
 /// Control: an explicit step, which converges to the same process, leaves the sphere.

@@ -37,6 +37,10 @@ impl<A: LieAlgebra> Energy for Oscillating<A> {
     }
 }
 
+const SIGNS: &[Sign] = &[Sign::Plus, Sign::Minus];
+const KINDS: &[Interpolation] =
+    &[Interpolation::Constant, Interpolation::Linear, Interpolation::Cubic];
+
 /// The units of momenta and of time.
 #[derive(Clone, Copy, Debug)]
 struct Units {
@@ -106,16 +110,21 @@ proptest! {
     fn laws_of_orbit_fields(
         numbers in prop::array::uniform18(-2.0..2.0_f64),
         units in units(),
-        sign in prop::sample::select(&[Sign::Plus, Sign::Minus]),
-        kind in prop::sample::select(&[
-            Interpolation::Constant,
-            Interpolation::Linear,
-            Interpolation::Cubic,
-        ]),
+        sign in prop::sample::select(SIGNS),
+        kind in prop::sample::select(KINDS),
     ) {
         laws_hold(LiePoisson::new(So3, sign), &numbers, units, kind);
         laws_hold(LiePoisson::new(Se3::default(), sign), &numbers, units, kind);
         laws_hold(LiePoisson::new(ProductAlgebra(So3, So3), sign), &numbers, units, kind);
+    }
+
+    #[test]
+    fn laws_of_orbit_fields_of_the_unitary_algebra(
+        numbers in prop::array::uniform18(-2.0..2.0_f64),
+        units in units(),
+        sign in prop::sample::select(SIGNS),
+        kind in prop::sample::select(KINDS),
+    ) {
         laws_hold(LiePoisson::new(UnitaryAlgebra::<3>, sign), &numbers, units, kind);
     }
 }

@@ -43,6 +43,7 @@ fn stirring_and_damping_balance_at_every_step_size() {
 }
 
 #[test]
+#[ignore = "long"]
 fn stirring_feeds_energy_and_enstrophy_at_its_rates() {
     let (size, step, steps, count) = (4, 0.05, 20, 400);
     let fluid = Zeitlin::new(size).unwrap();
@@ -84,6 +85,7 @@ fn strong_order(method: &StochasticFluid, omega: &VorticityCoefficients, fine: f
 }
 
 #[test]
+#[ignore = "long"]
 fn the_strong_order_is_one_with_stirring_and_one_half_with_isotropic_transport() {
     let (size, fine) = (4, 1.0 / 256.0);
     let fluid = Zeitlin::new(size).unwrap();

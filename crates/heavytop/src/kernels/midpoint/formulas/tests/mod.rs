@@ -166,11 +166,12 @@ fn a_lane_that_fails_harms_no_other() {
     for (set, width) in everywhere() {
         let whole = run(members(), set, width).0;
         for at in 0..19 {
-            for (what, made) in [(f64::NAN, 0), (1e6, 0), (f64::INFINITY, 0)] {
+            // NaN at every place, the others at every third, which come into every lane.
+            for what in [f64::NAN, [1e6, f64::INFINITY, f64::NAN][at % 3]] {
                 let mut spoiled = members();
                 spoiled[at].1.0.0.y = what;
                 let (ends, gone) = run(spoiled, set, width);
-                assert_eq!(gone, [(at, made)], "{set} {width:?} {what}");
+                assert_eq!(gone, [(at, 0)], "{set} {width:?} {what}");
                 for i in (0..19).filter(|&i| i != at) {
                     assert_eq!(ends[i], whole[i], "{i} beside {at}");
                 }
