@@ -1,9 +1,10 @@
 //! Configurations as TOML, and the differences of two of them.
 
 use super::config::Config;
+use super::keyed_value::KeyedValue;
 use crate::errors::Error;
 use crate::vocabulary::brief;
-use serde::de::Error as _;
+use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeSet;
 use toml::{Table, Value};
@@ -19,13 +20,21 @@ pub(crate) fn inner<'de, D: Deserializer<'de>>(from: D) -> Result<Config, D::Err
     Config::of_table(Table::deserialize(from)?).map_err(D::Error::custom)
 }
 
+/// Reads what the program has written with a configuration in it.
+///
+/// # Errors
+/// If there are missing keys or wrong types.
+pub(crate) fn of_table<T: DeserializeOwned>(table: Table) -> Result<T, toml::de::Error> {
+    T::deserialize(KeyedValue(Value::Table(table)))
+}
+
 impl Config {
     /// Returns the configuration of a table.
     ///
     /// # Errors
     /// If there are unknown keys or wrong types.
     pub(crate) fn of_table(table: Table) -> Result<Self, Misread> {
-        serde_path_to_error::deserialize(table)
+        serde_path_to_error::deserialize(KeyedValue(Value::Table(table)))
     }
 
     /// Returns the configuration as TOML, which reads back as the same configuration. For a system it lacks the tables of

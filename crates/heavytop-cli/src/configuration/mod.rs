@@ -12,9 +12,10 @@ mod notes;
 mod output_config;
 mod config;
 mod preset;
+mod keyed_value;
 mod as_toml;
 
-pub(crate) use as_toml::inner;
+pub(crate) use as_toml::{inner, of_table};
 pub use config::Config;
 pub(crate) use config::IMPOSSIBLE;
 pub use events_config::EventsConfig;

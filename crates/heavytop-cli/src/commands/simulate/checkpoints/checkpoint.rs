@@ -1,7 +1,7 @@
 //! The checkpoint of a run, from which an interrupted run continues.
 
 use super::growing_file::Mark;
-use crate::configuration::{Config, LeftOut, inner};
+use crate::configuration::{Config, LeftOut, inner, of_table};
 use crate::errors::{CheckpointError, Error};
 use crate::files::sealed::{damaged, of_this_version, open, read, seal};
 use crate::files::{Kind, Output};
@@ -87,7 +87,8 @@ impl Checkpoint {
     }
 
     fn parse(text: &str) -> Result<Self, CheckpointError> {
-        let mut read: Self = of_this_version(open(TITLE, text)?)?.try_into().map_err(damaged)?;
+        let table = of_this_version(open(TITLE, text)?)?;
+        let mut read: Self = of_table(table).map_err(damaged)?;
         read.configuration.left_out = read.left_out.clone();
         Ok(read)
     }

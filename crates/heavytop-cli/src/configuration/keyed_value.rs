@@ -1,0 +1,103 @@
+//! Values of a configuration as serde reads them: [`KeyedValue`].
+
+use serde::de::value::{MapDeserializer, SeqDeserializer};
+use serde::de::{Deserializer, Error as _, IntoDeserializer, Unexpected, Visitor};
+use serde::forward_to_deserialize_any;
+use toml::Value;
+use toml::de::Error;
+
+/// A value of a configuration, in which only tables are read as structures.
+///
+/// The reader of the library takes an array, too: `output = [5]` would be `output.every = 5`, since that is the first key of the
+/// structure. Here every number has its key.
+pub(super) struct KeyedValue(pub Value);
+
+impl KeyedValue {
+    /// Returns the error that something else was expected.
+    fn misplaced(&self, expected: &dyn serde::de::Expected) -> Error {
+        let found = match &self.0 {
+            Value::String(text) => Unexpected::Str(text),
+            Value::Integer(n) => Unexpected::Signed(*n),
+            Value::Float(x) => Unexpected::Float(*x),
+            Value::Boolean(is) => Unexpected::Bool(*is),
+            Value::Datetime(_) => Unexpected::Other("date"),
+            Value::Array(_) => Unexpected::Seq,
+            Value::Table(_) => Unexpected::Map,
+        };
+        Error::invalid_type(found, expected)
+    }
+}
+
+impl<'de> Deserializer<'de> for KeyedValue {
+    type Error = Error;
+
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
+        match self.0 {
+            Value::String(text) => visitor.visit_string(text),
+            Value::Integer(n) => visitor.visit_i64(n),
+            Value::Float(x) => visitor.visit_f64(x),
+            Value::Boolean(is) => visitor.visit_bool(is),
+            Value::Datetime(date) => visitor.visit_string(date.to_string()),
+            Value::Array(values) => {
+                let count = values.len();
+                let mut values = SeqDeserializer::new(values.into_iter().map(Self));
+                let read = visitor.visit_seq(&mut values)?;
+                let too_long = |_| Error::invalid_length(count, &"fewer elements in array");
+                values.end().map(|()| read).map_err(too_long)
+            }
+            Value::Table(table) => {
+                let entries = table.into_iter().map(|(key, value)| (key, Self(value)));
+                visitor.visit_map(&mut MapDeserializer::new(entries))
+            }
+        }
+    }
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        _: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Error> {
+        match self.0 {
+            Value::Table(_) => self.deserialize_map(visitor),
+            _ => Err(self.misplaced(&visitor)),
+        }
+    }
+
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        _: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Error> {
+        match self.0 {
+            Value::String(name) => visitor.visit_enum(name.into_deserializer()),
+            _ => Err(self.misplaced(&"a name")),
+        }
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
+        visitor.visit_some(self)
+    }
+
+    fn deserialize_newtype_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        visitor: V,
+    ) -> Result<V::Value, Error> {
+        visitor.visit_newtype_struct(self)
+    }
+
+    forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf unit unit_struct seq tuple
+        tuple_struct map identifier ignored_any
+    }
+}
+
+impl IntoDeserializer<'_, Error> for KeyedValue {
+    type Deserializer = Self;
+
+    fn into_deserializer(self) -> Self {
+        self
+    }
+}
