@@ -28,7 +28,10 @@ const WRONG: &[(&str, &str)] = &[
     ("body = 3", "line 1, column 8: body: invalid type: integer `3`, expected a table"),
     // An array has no keys, whose places would have to be guessed.
     ("output = [5]", "line 1, column 10: output: invalid type: sequence, expected a table"),
-    ("sweep.axes = [['body.mass', 1.0]]", "sweep.axes[0]: invalid type: sequence, expected a table"),
+    (
+        "sweep.axes = [['body.mass', 1.0]]",
+        "sweep.axes[0]: invalid type: sequence, expected a table",
+    ),
     (
         "[output]\nevery = 1.5",
         "a.toml, line 2, column 9: output.every: invalid type: floating point `1.5`, expected a whole number from 0 to 9223372036854775807",
