@@ -20,11 +20,11 @@ pub(crate) fn inner<'de, D: Deserializer<'de>>(from: D) -> Result<Config, D::Err
     Config::of_table(Table::deserialize(from)?).map_err(D::Error::custom)
 }
 
-/// Reads what the program has written with a configuration in it.
+/// Reads the table of a file that the program has written, such as a checkpoint.
 ///
 /// # Errors
-/// If there are missing keys or wrong types.
-pub(crate) fn of_table<T: DeserializeOwned>(table: Table) -> Result<T, toml::de::Error> {
+/// If there are missing or unknown keys, or wrong types.
+pub(crate) fn read_saved<T: DeserializeOwned>(table: Table) -> Result<T, toml::de::Error> {
     T::deserialize(KeyedValue(Value::Table(table)))
 }
 

@@ -2,31 +2,15 @@
 
 use serde::de::value::{MapDeserializer, SeqDeserializer};
 use serde::de::{Deserializer, Error as _, IntoDeserializer, Unexpected, Visitor};
-use serde::forward_to_deserialize_any;
+use serde::{Deserialize, forward_to_deserialize_any};
 use toml::Value;
 use toml::de::Error;
 
-/// A value of a configuration, in which only tables are read as structures.
+/// A value of a configuration, in which no array is read as a structure.
 ///
 /// The reader of the library takes an array, too: `output = [5]` would be `output.every = 5`, since that is the first key of the
-/// structure. Here every number has its key.
+/// structure. Here a number of a structure has its key.
 pub(super) struct KeyedValue(pub Value);
-
-impl KeyedValue {
-    /// Returns the error that something else was expected.
-    fn misplaced(&self, expected: &dyn serde::de::Expected) -> Error {
-        let found = match &self.0 {
-            Value::String(text) => Unexpected::Str(text),
-            Value::Integer(n) => Unexpected::Signed(*n),
-            Value::Float(x) => Unexpected::Float(*x),
-            Value::Boolean(is) => Unexpected::Bool(*is),
-            Value::Datetime(_) => Unexpected::Other("date"),
-            Value::Array(_) => Unexpected::Seq,
-            Value::Table(_) => Unexpected::Map,
-        };
-        Error::invalid_type(found, expected)
-    }
-}
 
 impl<'de> Deserializer<'de> for KeyedValue {
     type Error = Error;
@@ -59,8 +43,8 @@ impl<'de> Deserializer<'de> for KeyedValue {
         visitor: V,
     ) -> Result<V::Value, Error> {
         match self.0 {
-            Value::Table(_) => self.deserialize_map(visitor),
-            _ => Err(self.misplaced(&visitor)),
+            Value::Array(_) => Err(Error::invalid_type(Unexpected::Seq, &visitor)),
+            _ => self.deserialize_any(visitor),
         }
     }
 
@@ -70,10 +54,7 @@ impl<'de> Deserializer<'de> for KeyedValue {
         _: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Error> {
-        match self.0 {
-            Value::String(name) => visitor.visit_enum(name.into_deserializer()),
-            _ => Err(self.misplaced(&"a name")),
-        }
+        visitor.visit_enum(String::deserialize(self)?.into_deserializer())
     }
 
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {

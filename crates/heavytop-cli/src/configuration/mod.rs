@@ -15,7 +15,7 @@ mod preset;
 mod keyed_value;
 mod as_toml;
 
-pub(crate) use as_toml::{inner, of_table};
+pub(crate) use as_toml::{inner, read_saved};
 pub use config::Config;
 pub(crate) use config::IMPOSSIBLE;
 pub use events_config::EventsConfig;

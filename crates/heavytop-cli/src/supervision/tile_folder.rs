@@ -1,7 +1,7 @@
 //! The folder of tiles: finished parts of a run that outlast it.
 
 use super::tiled_run::{RESUME, TileOptions};
-use crate::configuration::{Config, inner, of_table};
+use crate::configuration::{Config, inner, read_saved};
 use crate::errors::{CheckpointError, Error};
 use crate::files::sealed::{self, damaged, of_this_version, open, seal};
 use crate::files::{Kind, Output, lock};
@@ -164,7 +164,7 @@ impl Tiles {
             return Ok(());
         }
         let table = of_this_version(open(TITLE, found)?)?;
-        let Identity { instructions, configuration, .. } = of_table(table).map_err(damaged)?;
+        let Identity { instructions, configuration, .. } = read_saved(table).map_err(damaged)?;
         let differences = configuration.differences(&self.config);
         let differences = differences.map_err(|e| CheckpointError::Damaged(e.to_string()))?;
         if differences.is_empty() {

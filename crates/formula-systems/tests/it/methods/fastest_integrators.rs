@@ -49,7 +49,7 @@ fn methods(system: &FormulaSystem) -> Vec<Method> {
     pairs.filter_map(|(f, scheme)| system.algebra().method(f, scheme, 0.0).ok()).collect()
 }
 
-/// Steps add about as many rounding errors, which these motions of up to 8 rad magnify little.
+/// Each step adds a rounding error or two, which these motions of up to 8 rad magnify little.
 fn require_steps_of_the_one_with_tangents(steps: u64) -> Outcome {
     for (name, other_terms) in ALGEBRAS.into_iter().flat_map(|name| [(name, false), (name, true)]) {
         let system = system(name, other_terms)?;

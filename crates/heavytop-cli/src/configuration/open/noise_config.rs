@@ -7,7 +7,10 @@ use collective_integrators::NoiseRule;
 use lie_poisson::IsotropicNoise;
 use lie_poisson_formula_systems::{Damping, NoiseFields, NoiseTerms, OpenNames};
 use lie_poisson_runs::HarmonicShell;
-use serde::{Deserialize, Serialize};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::fmt;
 
 /// The table `[noise]`: of a temperature, of a strength in all directions, or of fields by formulas; or the transport
 /// noise and the stirring of a fluid.
@@ -50,11 +53,8 @@ pub struct NoiseConfig {
 }
 
 /// Shells of spherical harmonics in which a fluid has noise: one, or an array of them.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-#[serde(
-    untagged,
-    expecting = "expected a shell, such as { degrees = [8, 10], strength = 0.1 }, or an array of shells"
-)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
 pub enum ShellConfig {
     /// One shell.
     One(Shell),
@@ -72,6 +72,32 @@ pub struct Shell {
     /// The strength σ in each harmonic.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub strength: Option<f64>,
+}
+
+impl<'de> Deserialize<'de> for ShellConfig {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        from.deserialize_any(OneOrMany)
+    }
+}
+
+struct OneOrMany;
+
+impl<'de> Visitor<'de> for OneOrMany {
+    type Value = ShellConfig;
+
+    fn expecting(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        to.write_str(
+            "a shell, such as { degrees = [8, 10], strength = 0.1 }, or an array of shells",
+        )
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, shell: A) -> Result<ShellConfig, A::Error> {
+        Shell::deserialize(MapAccessDeserializer::new(shell)).map(ShellConfig::One)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, shells: A) -> Result<ShellConfig, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(shells)).map(ShellConfig::Many)
+    }
 }
 
 impl ShellConfig {

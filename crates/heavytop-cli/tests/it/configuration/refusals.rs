@@ -26,6 +26,10 @@ const WRONG: &[(&str, &str)] = &[
         "line 1, column 23: body.inertia[2]: invalid type: boolean `true`, expected a number",
     ),
     ("body = 3", "line 1, column 8: body: invalid type: integer `3`, expected a table"),
+    (
+        "noise.rule = 3",
+        "line 1, column 14: noise.rule: invalid type: integer `3`, expected a string",
+    ),
     // An array has no keys, whose places would have to be guessed.
     ("output = [5]", "line 1, column 10: output: invalid type: sequence, expected a table"),
     (

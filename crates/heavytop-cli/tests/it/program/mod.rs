@@ -19,9 +19,10 @@ pub fn heavytop() -> &'static str {
     })
 }
 
-/// Returns the release in the target folder of this program, if no file from which Cargo made it has changed since. It has the
-/// default features.
+/// Returns the release in the target folder of this program, if it comes from these sources, and none of them, nor the manifest or the
+/// lock file of the workspace, has changed since it was linked.
 fn release(compiled: &Path) -> Option<String> {
+    // A release need not have this feature.
     if cfg!(feature = "mpi") {
         return None;
     }
@@ -30,11 +31,14 @@ fn release(compiled: &Path) -> Option<String> {
     let made = changed(&release)?;
     let sources = std::fs::read_to_string(release.with_extension("d")).ok()?;
     let (_, sources) = sources.split_once(": ")?;
-    let manifests = ["Cargo.toml", "Cargo.lock"]
-        .map(|name| Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name));
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let manifests = ["Cargo.toml", "../../Cargo.toml", "../../Cargo.lock"];
+    let manifests = manifests.map(|name| folder.join(name));
     // A path with a space is not found in this list: then the release is not taken.
-    let mut all = sources.split_whitespace().map(PathBuf::from).chain(manifests);
-    let is_current = all.all(|path| changed(&path).is_some_and(|changed| changed <= made));
+    let sources: Vec<PathBuf> = sources.split_whitespace().map(PathBuf::from).collect();
+    let mut all = sources.iter().chain(&manifests);
+    let is_current = sources.contains(&folder.join("src/main.rs"))
+        && all.all(|path| changed(path).is_some_and(|changed| changed <= made));
     is_current.then(|| release.display().to_string())
 }
 

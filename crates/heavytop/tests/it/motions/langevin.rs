@@ -94,7 +94,7 @@ fn require_gibbs(steps: u64, step_error: f64) {
         assert!((mean - exact).abs() < 4.0 * error + step_error, "{found:?}");
         assert!(*error < 0.1, "{found:?}");
     }
-    // Some ten roundings of each step, whose sum grows as the root of their number.
+    // Some ten roundings of each step, whose sum grows as the root of their number; ten times that.
     let bound = 5e-15 * (steps as f64).sqrt();
     assert!(lost.iter().all(|lost| *lost < bound), "{lost:?}");
 }

@@ -26,14 +26,14 @@ use std::sync::Arc;
 /// [`StochasticFluid`]: lie_poisson_systems::StochasticFluid
 ///
 /// # Example
-/// A ring of a hundred spins at kT = J, whose energy per bond is −(coth 1 − 1) J:
+/// A ring of four hundred spins at kT = J, whose energy per bond is −(coth 1 − 1) J:
 /// ```
 /// use lie_poisson_runs::{
 ///     Arguments, ArrayKind, Experiment, LatticeNoise, LatticeTerms, NoisePaths, OpenArrays, Pace, RunFailure, Schedule,
 ///     SpinDamping,
 /// };
 /// let kind = ArrayKind::named("spin-lattice").ok_or("no such system")?;
-/// let ring = kind.system(&Arguments::new().list("shape", vec![100.0]).number("exchange", 1.0))?;
+/// let ring = kind.system(&Arguments::new().list("shape", vec![400.0]).number("exchange", 1.0))?;
 /// let start = ring.start_of(&Arguments::new().list("direction", vec![0.0, 0.0, 1.0]))?;
 /// let noise = Some(LatticeNoise { temperature: 1.0, paths: NoisePaths::default() });
 /// let terms = LatticeTerms { damping: Some(SpinDamping::LandauLifshitz(1.0)), noise };
@@ -43,8 +43,8 @@ use std::sync::Arc;
 /// assert_eq!(run.conserved(), ["h", "M1", "M2", "M3", "C"]);
 /// assert_eq!(run.kept(), [false, false, false, false, true]);
 /// let mut energy = 0.0;
-/// run.follow(None, |moment| Ok::<_, RunFailure>(energy = moment.row[301] / 100.0))?;
-/// assert!((energy + 1.0_f64.tanh().recip() - 1.0).abs() < 0.25); // four standard errors
+/// run.follow(None, |moment| Ok::<_, RunFailure>(energy = moment.row[1201] / 400.0))?;
+/// assert!((energy + 1.0_f64.tanh().recip() - 1.0).abs() < 0.13); // four standard errors
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]

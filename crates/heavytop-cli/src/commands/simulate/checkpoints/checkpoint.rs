@@ -1,7 +1,7 @@
 //! The checkpoint of a run, from which an interrupted run continues.
 
 use super::growing_file::Mark;
-use crate::configuration::{Config, LeftOut, inner, of_table};
+use crate::configuration::{Config, LeftOut, inner, read_saved};
 use crate::errors::{CheckpointError, Error};
 use crate::files::sealed::{damaged, of_this_version, open, read, seal};
 use crate::files::{Kind, Output};
@@ -88,7 +88,7 @@ impl Checkpoint {
 
     fn parse(text: &str) -> Result<Self, CheckpointError> {
         let table = of_this_version(open(TITLE, text)?)?;
-        let mut read: Self = of_table(table).map_err(damaged)?;
+        let mut read: Self = read_saved(table).map_err(damaged)?;
         read.configuration.left_out = read.left_out.clone();
         Ok(read)
     }
