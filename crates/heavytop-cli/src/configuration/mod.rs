@@ -12,10 +12,8 @@ mod notes;
 mod output_config;
 mod config;
 mod preset;
-mod keyed_value;
-mod as_toml;
+mod toml_tables;
 
-pub(crate) use as_toml::{inner, read_saved};
 pub use config::Config;
 pub(crate) use config::IMPOSSIBLE;
 pub use events_config::EventsConfig;
@@ -36,4 +34,5 @@ pub use sweep::{
 };
 pub(crate) use sweep::{Spread, SweepAxis};
 pub use system::{Bracket, Numbers, SystemConfig};
+pub(crate) use toml_tables::{inner, read_saved};
 pub use top::{About, BodyConfig, Inertia, InitialConfig, LeftOut, Quantity};

@@ -1,7 +1,7 @@
 //! Configurations as TOML, and the differences of two of them.
 
-use super::config::Config;
 use super::keyed_value::KeyedValue;
+use crate::configuration::Config;
 use crate::errors::Error;
 use crate::vocabulary::brief;
 use serde::de::{DeserializeOwned, Error as _};
