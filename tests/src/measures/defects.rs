@@ -47,13 +47,12 @@ pub fn largest(matrix: &DMatrix<f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::largest;
-    use nalgebra::DMatrix;
+    use nalgebra::dmatrix;
 
     #[test]
     fn a_nan_is_the_largest() {
-        let square = |entries: [f64; 4]| DMatrix::from_row_slice(2, 2, &entries);
-        assert_eq!(largest(&square([1.0, -3.0, 2.0, 0.5])), 3.0);
-        assert!(largest(&square([1.0, f64::NAN, 2.0, 0.5])).is_nan());
-        assert!(largest(&square([f64::NAN, 1.0, 2.0, 0.5])).is_nan());
+        assert_eq!(largest(&dmatrix![1.0, -3.0; 2.0, 0.5]), 3.0);
+        assert!(largest(&dmatrix![1.0, f64::NAN; 2.0, 0.5]).is_nan());
+        assert!(largest(&dmatrix![f64::NAN, 1.0; 2.0, 0.5]).is_nan());
     }
 }

@@ -31,7 +31,9 @@ impl<'de> Deserializer<'de> for KeyedValue {
             }
             Value::Table(table) => {
                 let entries = table.into_iter().map(|(key, value)| (key, Self(value)));
-                visitor.visit_map(&mut MapDeserializer::new(entries))
+                let mut entries = MapDeserializer::new(entries);
+                let read = visitor.visit_map(&mut entries)?;
+                entries.end().map(|()| read)
             }
         }
     }

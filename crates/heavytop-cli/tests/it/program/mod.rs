@@ -42,6 +42,30 @@ fn release(compiled: &Path) -> Option<String> {
     is_current.then(|| release.display().to_string())
 }
 
+#[test]
+#[cfg(not(feature = "mpi"))]
+fn a_release_is_taken_if_it_comes_from_these_sources_and_is_newer() {
+    let folder = Folder::new();
+    std::fs::create_dir_all(folder.path("debug")).unwrap();
+    std::fs::create_dir_all(folder.path("release")).unwrap();
+    let [compiled, made] = ["debug/heavytop", "release/heavytop"].map(|name| folder.path(name));
+    assert_eq!(release(&compiled), None);
+    folder.write("release/heavytop", "");
+    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/main.rs");
+    folder.write("release/heavytop.d", &format!("{}: {}\n", made.display(), own.display()));
+    assert_eq!(release(&compiled), Some(made.display().to_string()));
+    // Another checkout shares the folder.
+    folder.write("other.rs", "");
+    let other = folder.path("other.rs");
+    folder.write("release/heavytop.d", &format!("{}: {}\n", made.display(), other.display()));
+    assert_eq!(release(&compiled), None);
+    // A source has changed since.
+    folder.write("release/heavytop.d", &format!("{}: {}\n", made.display(), own.display()));
+    let old = std::fs::File::options().write(true).open(&made).unwrap();
+    old.set_modified(std::time::UNIX_EPOCH).unwrap();
+    assert_eq!(release(&compiled), None);
+}
+
 /// A folder that is removed with its contents when the test ends.
 pub struct Folder(TempDir);
 
