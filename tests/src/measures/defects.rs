@@ -47,12 +47,13 @@ pub fn largest(matrix: &DMatrix<f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::largest;
-    use nalgebra::dmatrix;
+    use nalgebra::DMatrix;
 
     #[test]
     fn a_nan_is_the_largest() {
-        assert_eq!(largest(&dmatrix![1.0, -3.0; 2.0, 0.5]), 3.0);
-        assert!(largest(&dmatrix![1.0, f64::NAN; 2.0, 0.5]).is_nan());
-        assert!(largest(&dmatrix![f64::NAN, 1.0; 2.0, 0.5]).is_nan());
+        let largest_of = |entries| largest(&DMatrix::from_row_slice(2, 2, entries));
+        assert_eq!(largest_of(&[1.0, -3.0, 2.0, 0.5]), 3.0);
+        assert!(largest_of(&[1.0, f64::NAN, 2.0, 0.5]).is_nan());
+        assert!(largest_of(&[f64::NAN, 1.0, 2.0, 0.5]).is_nan());
     }
 }

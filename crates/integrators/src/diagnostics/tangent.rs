@@ -13,10 +13,10 @@ use nalgebra::DMatrix;
 /// ```
 /// use collective_integrators::diagnostics::tangent_map;
 /// use lie_poisson::DualNumber;
-/// use nalgebra::{Vector2, Vector3, dmatrix};
+/// use nalgebra::{DMatrix, Vector2, Vector3};
 /// // f(x, y) = (xy, x², y)
 /// let f = |z: &Vector2<DualNumber>| Vector3::new(z.x * z.y, z.x * z.x, z.y);
-/// let expected = dmatrix![3.0, 2.0; 4.0, 0.0; 0.0, 1.0];
+/// let expected = DMatrix::from_row_slice(3, 2, &[3.0, 2.0, 4.0, 0.0, 0.0, 1.0]);
 /// assert_eq!(tangent_map(f, &Vector2::new(2.0, 3.0)), expected);
 /// ```
 pub fn tangent_map<V, V2, W2>(f: impl Fn(&V2) -> W2, z: &V) -> DMatrix<V::Scalar>
