@@ -54,6 +54,7 @@ fn some_checkpoints_are_accepted() {
 
 /// Every method has a case in which it makes steps, and in which its Casimirs are checked if it should conserve them.
 #[test]
+#[ignore = "long"]
 fn every_method_is_reached() {
     let reached: BTreeSet<String> =
         corpus("one_step").iter().filter_map(|case| method_of_case(case)).collect();

@@ -111,6 +111,7 @@ fn tangent_vectors_descend_with_the_collective_integrator() -> Outcome {
 
 /// The same body near its stable equilibrium has quasi-periodic motion, and no positive exponent.
 #[test]
+#[ignore = "long"]
 fn a_generic_top_at_low_energy_is_regular() -> Outcome {
     let start = Se3Dual::new(Vector3::new(0.1, -0.2, 0.1), Vector3::new(2.0, 6.0, -3.0) / 7.0);
     let gauss = LiftFree::new(RungeKutta::gauss(2)?, DualQuaternions, tops::generic()?);

@@ -90,6 +90,7 @@ impl Check for Orders {
 
 /// Structure constants in, collective integrator out: the Gauss method of order 4 has order 4 on every 𝔤∗.
 #[test]
+#[ignore = "long"]
 fn collective_gauss_methods_have_their_order_on_all_algebras() {
     assert_eq!(every_algebra(&mut Orders(&[4, 8, 16])), 62);
 }

@@ -209,6 +209,7 @@ proptest! {
     }
 
     #[test]
+    #[ignore = "long"]
     fn a_body_in_four_and_five_dimensions_moves_as_that_of_the_gallery(l in prop::collection::vec(0.1..1.0_f64, 10)) {
         for n in [3, 4, 5] {
             let moments = [1.0, 1.5, 2.2, 3.1, 0.9];

@@ -19,11 +19,12 @@ use nalgebra::DMatrix;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The dimensions of the Clebsch maps. A smaller algebra is completed by central coordinates, which stay zero.
+/// The dimensions that the compiler knows, in which steps take less time. A smaller algebra is completed by central coordinates,
+/// which stay zero.
 const WIDTHS: [usize; 2] = [3, 6];
 
-/// The dimensions of the algebras whose Clebsch maps are those of their adjoint representation.
-const ADJOINT_MAPS: core::ops::RangeInclusive<usize> = 7..=MOST_DIMENSIONS;
+/// The dimensions of the algebras that may have a Clebsch map.
+const CLEBSCH_MAPS: core::ops::RangeInclusive<usize> = 2..=MOST_DIMENSIONS;
 
 /// The dimensions of the algebras of matrices that are realised by their own matrices.
 const OWN_MATRICES: core::ops::RangeInclusive<usize> = 4..=64;
@@ -58,9 +59,8 @@ pub struct SystemAlgebra {
     pub(crate) family: Family,
     /// Momenta of one's own for the collective formulation, and what they obey.
     realisation: Option<(Arc<QuadraticMomenta>, Verdict)>,
-    /// Whether two copies of the adjoint representation, of an algebra with a centre that of an extension by a scaling, reach an
-    /// open part of 𝔤∗.
-    has_adjoint_map: bool,
+    /// Whether there is a Clebsch map that reaches an open part of 𝔤∗.
+    pub(crate) has_clebsch_map: bool,
     /// The direct summands whose Casimirs are known without a search.
     pub(crate) summands: Vec<Summand>,
 }
@@ -150,13 +150,12 @@ impl SystemAlgebra {
         let table = table_of_entries(coordinates.dimension(), &constants);
         let table = table.map_err(FormulaSystemError::Structure)?;
         let algebra = Self::of_table(name, coordinates, table, family);
-        // Smaller ones have Clebsch maps whose dimensions the compiler knows.
         let matrices = acts
             .map(|acts| acts.matrices)
             .filter(|_| family == Family::Other && OWN_MATRICES.contains(&algebra.dimension()));
         let momenta = matrices.and_then(|matrices| QuadraticMomenta::reaching(&matrices));
         let realisation = momenta.map(|(momenta, verdict)| (Arc::new(momenta), verdict));
-        Ok(Self { realisation, summands, ..algebra }.with_adjoint_map())
+        Ok(Self { realisation, summands, ..algebra }.with_clebsch_map())
     }
 
     /// Creates the algebra from brackets [x, y] = Σ c z, which are written with the names of coordinates, such as
@@ -215,7 +214,7 @@ impl SystemAlgebra {
             error => wrong(error),
         })?;
         let name = "this algebra".into();
-        Ok(Self::of_table(name, coordinates, table, Family::Other).with_adjoint_map())
+        Ok(Self::of_table(name, coordinates, table, Family::Other).with_clebsch_map())
     }
 
     /// Returns the algebra under a name for messages.
@@ -230,18 +229,18 @@ impl SystemAlgebra {
         family: Family,
     ) -> Self {
         let entries = table.entries().iter().copied().filter(|entry| entry.i < entry.j).collect();
-        let (realisation, summands, has_adjoint_map) = (None, Vec::new(), false);
-        Self { name, coordinates, entries, table, family, realisation, has_adjoint_map, summands }
+        let (realisation, summands, has_clebsch_map) = (None, Vec::new(), false);
+        Self { name, coordinates, entries, table, family, realisation, has_clebsch_map, summands }
     }
 
-    /// Finds out whether the adjoint representation makes a Clebsch map, where no other realisation is known.
-    fn with_adjoint_map(self) -> Self {
-        let is_large = ADJOINT_MAPS.contains(&self.dimension())
+    /// Finds out whether there is a Clebsch map, where no other realisation is known.
+    fn with_clebsch_map(self) -> Self {
+        let is_needed = CLEBSCH_MAPS.contains(&self.dimension())
             && self.family == Family::Other
             && self.realisation.is_none();
-        let momenta = is_large.then(|| QuadraticMomenta::clebsch(&self.table).ok()).flatten();
-        let has_adjoint_map = momenta.is_some_and(|momenta| momenta.rank() == self.dimension());
-        Self { has_adjoint_map, ..self }
+        let momenta = is_needed.then(|| QuadraticMomenta::clebsch(&self.table).ok()).flatten();
+        let has_clebsch_map = momenta.is_some_and(|momenta| momenta.rank() == self.dimension());
+        Self { has_clebsch_map, ..self }
     }
 
     /// Returns the algebra with other symbols for its coordinates, in the order in which their own symbols come: `S` for
@@ -301,11 +300,6 @@ impl SystemAlgebra {
         self.realisation.as_ref()
     }
 
-    /// Returns whether the algebra has a Clebsch map.
-    pub(crate) fn has_clebsch_map(&self) -> bool {
-        (2..=6).contains(&self.dimension()) || self.has_adjoint_map
-    }
-
     /// Returns the name in messages: that of [`named`](Self::named), or "this algebra".
     #[must_use]
     pub fn name(&self) -> &str {
@@ -344,8 +338,8 @@ impl SystemAlgebra {
         Vocabulary::new(&self.coordinates, parameters).map_err(FormulaSystemError::Parameters)
     }
 
-    /// Returns the dimension to which the algebra is completed by central coordinates for its Clebsch map: that of the
-    /// smallest map that fits, or its own if none does.
+    /// Returns the dimension to which the algebra is completed by central coordinates: the least of those that the
+    /// compiler knows, or its own if it is larger.
     pub(crate) fn width(&self) -> usize {
         let fits = |width: &usize| *width >= self.dimension();
         WIDTHS.into_iter().find(fits).unwrap_or(self.dimension())
@@ -385,7 +379,7 @@ fn of_library<A: NamedAlgebra>(
     let coordinates = algebra.coordinates().map_err(FormulaSystemError::Coordinates)?;
     let table = table_of_entries(coordinates.dimension(), &entries.collect::<Vec<_>>());
     let table = table.map_err(FormulaSystemError::Structure)?;
-    Ok(SystemAlgebra::of_table(name, coordinates, table, Family::Other).with_adjoint_map())
+    Ok(SystemAlgebra::of_table(name, coordinates, table, Family::Other).with_clebsch_map())
 }
 
 /// Returns a name without the numbers that powers and sums put behind it, and these.

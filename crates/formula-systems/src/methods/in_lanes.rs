@@ -24,8 +24,7 @@ type MadeInLanes = Result<Option<AnyIntegrator>, FormulaSystemError>;
 
 impl Integration<'_> {
     /// Makes the integrator that evaluates the formula for several stages at once, which are in the lanes of a register. It is
-    /// `None` where there is none: the scheme has no such stages, the state is one of many sites, or the map is a Clebsch map of
-    /// few dimensions, whose steps are not Poisson maps in general.
+    /// `None` where there is none: the scheme has no such stages, or the state is one of many sites.
     pub(super) fn make_in_lanes(&self) -> MadeInLanes {
         match self.method.scheme() {
             SchemeName::Gauss(stages) if STAGES.contains(&stages) => {}
@@ -35,30 +34,35 @@ impl Integration<'_> {
             return self.realised_in_lanes(momenta, is_plus);
         }
         let algebra = self.system.algebra();
-        match (self.method.formulation(), algebra.family, algebra.width()) {
-            (Formulation::Collective, Family::Rotations, _) => {
+        match (self.method.formulation(), algebra.family) {
+            (Formulation::Collective, Family::Rotations) => {
                 let hamiltonian = self.hamiltonian::<So3>()?;
                 Ok(Some(self.in_lanes(Collective::new(self.scheme()?, HOPF, hamiltonian))))
             }
-            (Formulation::Collective, Family::Motions, _) => {
+            (Formulation::Collective, Family::Motions) => {
                 let hamiltonian = self.hamiltonian::<Se3>()?;
                 let collective = Collective::new(self.scheme()?, SpinorRealisation, hamiltonian);
                 Ok(Some(self.in_lanes(collective)))
             }
-            (Formulation::Direct, Family::Motions, _) => {
+            (Formulation::Direct, Family::Motions) => {
                 let space = LiePoisson::minus(Se3::default());
                 let hamiltonian = self.hamiltonian::<Se3>()?;
                 let field = HamiltonianField { space, hamiltonian };
                 Ok(Some(self.in_lanes(Direct::new(self.scheme()?, field))))
             }
-            // A table that is completed to a width has coordinates that the states lack.
-            (Formulation::Direct, _, width) if width == algebra.dimension() => {
+            (Formulation::Direct, _) if algebra.width() == 3 => self.completed_in_lanes::<3>(),
+            (Formulation::Direct, _) if algebra.width() == 6 => self.completed_in_lanes::<6>(),
+            (Formulation::Direct, _) => {
                 let direct = StagesInLanes::widest(Direct::new(self.scheme()?, self.table_field()));
                 let momentum = self.momentum_of_any_size();
                 Ok(Some(AnyIntegrator::of_states(direct, &momentum, &momentum)))
             }
             _ => Ok(None),
         }
+    }
+
+    fn completed_in_lanes<const N: usize>(&self) -> MadeInLanes {
+        Ok(Some(self.in_lanes(Direct::new(self.scheme()?, self.completed_field::<N>()?))))
     }
 
     fn realised_in_lanes(&self, momenta: Arc<QuadraticMomenta>, is_plus: bool) -> MadeInLanes {

@@ -1,8 +1,7 @@
 //! The integrator of a system: one type for each algebra and formulation.
 
-use super::clebsch::clebsch_maps::{ClebschMap, clebsch_map};
-use super::clebsch::invariant_guard::InvariantGuard;
 use super::formula_of_sites::FormulaOfSites;
+use super::invariant_guard::InvariantGuard;
 use super::offers::refusal;
 use super::table_field::TableField;
 use crate::algebras::family::Family;
@@ -21,7 +20,7 @@ use lie_poisson::{
     Covector, LieAlgebra, LiePoisson, Momentum, Se3, Sites, So3, State, StructureConstants, Vector,
 };
 use lie_poisson_formulas::{Formula, FormulaHamiltonian, structure_constants};
-use momentum_map::{DualQuaternions, HOPF, Lift, PoissonMap, Quaternions};
+use momentum_map::{DualQuaternions, HOPF, Lift, Quaternions};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -34,6 +33,10 @@ pub(super) struct Integration<'a> {
 
 /// The integrator of a system.
 type Made = Result<AnyIntegrator<dyn AnyTangents>, FormulaSystemError>;
+
+/// The equations on an algebra of a dimension that the compiler knows.
+type CompletedField<const N: usize> =
+    HamiltonianField<LiePoisson<StructureConstants<N>>, FormulaHamiltonian<StructureConstants<N>>>;
 
 /// Any scheme, whose type is one: a step is a composition of one substep.
 type AnyScheme = Composition<RungeKutta>;
@@ -115,27 +118,12 @@ impl Integration<'_> {
                 let (momenta, momentum) = (self.sites(), self.sites());
                 return Ok(AnyIntegrator::of_states_with_tangents(reduced, &momenta, &momentum));
             }
-            (Formulation::Collective, Family::Other) => {
-                return match algebra.width() {
-                    3 => self.clebsch::<3>(scheme),
-                    _ => self.clebsch::<6>(scheme),
-                };
-            }
             // `require` has refused every such pair.
             _ => return Err(self.impossible()),
         })
     }
 
-    /// Applies the scheme on T∗V, read through the Clebsch map, on the algebra that is completed to the dimension N.
-    fn clebsch<const N: usize>(&self, scheme: AnyScheme) -> Made {
-        let hamiltonian: FormulaHamiltonian<StructureConstants<N>> = of(self.system.motion())?;
-        let (map, order) = (self.clebsch_map::<N>()?, scheme.order());
-        // A step of these costs so much that calls cost nothing.
-        let collective = Collective::new(ByPointer(scheme), map, hamiltonian);
-        Ok(self.any(InvariantGuard::new(collective, order, self.system)))
-    }
-
-    /// Applies the scheme along momenta of one's own.
+    /// Applies the scheme along quadratic momenta.
     fn realised(&self, scheme: AnyScheme, momenta: Arc<QuadraticMomenta>, is_plus: bool) -> Made {
         let (order, point) = (scheme.order(), AnyState::from_slice(&vec![0.0; momenta.size()]));
         let motion = Direct::new(ByPointer(scheme), self.realised_field(&momenta, is_plus)?);
@@ -158,7 +146,7 @@ impl Integration<'_> {
         Ok(RealisedField { momenta: Arc::clone(momenta), hamiltonian })
     }
 
-    /// Guards a collective integrator along momenta of one's own.
+    /// Guards a collective integrator along quadratic momenta.
     ///
     /// # Errors
     /// If the start has no lift. That is for the start of a run to say; here it is refused early.
@@ -177,56 +165,18 @@ impl Integration<'_> {
     }
 
     /// Returns the momenta along which the collective method goes, and whether their bracket is the plus bracket: one's own, or
-    /// those of a Clebsch map of a large algebra.
+    /// those of a Clebsch map.
     pub(super) fn momenta(
         &self,
     ) -> Result<Option<(Arc<QuadraticMomenta>, bool)>, FormulaSystemError> {
         let algebra = self.system.algebra();
-        Ok(match (self.method.formulation(), algebra.realisation(), algebra.family) {
-            (Formulation::Collective, Some((momenta, verdict)), _) => {
-                Some((Arc::clone(momenta), verdict.is_plus))
+        match (self.method.formulation(), algebra.family) {
+            (Formulation::Collective, Family::Other) => algebra.momenta().map(Some),
+            (Formulation::Collective, _) if algebra.realisation().is_some() => {
+                algebra.momenta().map(Some)
             }
-            (Formulation::Collective, None, Family::Other)
-                if ![3, 6].contains(&algebra.width()) =>
-            {
-                Some((Arc::new(QuadraticMomenta::clebsch(algebra.table())?), true))
-            }
-            _ => None,
-        })
-    }
-
-    /// Returns whether the steps of affine schemes descend to 𝔤∗ along the map that [`clebsch`](Self::clebsch) uses.
-    pub(super) fn descends(&self) -> Result<bool, FormulaSystemError> {
-        let algebra = self.system.algebra();
-        if let (Formulation::Collective, Some(verdict)) =
-            (self.method.formulation(), algebra.verdict())
-        {
-            return Ok(verdict.descends());
+            _ => Ok(None),
         }
-        match (self.method.formulation(), algebra.family, algebra.width()) {
-            (Formulation::Collective, Family::Other, 3) => self.clebsch_descends::<3>(),
-            (Formulation::Collective, Family::Other, 6) => self.clebsch_descends::<6>(),
-            (Formulation::Collective, Family::Other, _) => {
-                QuadraticMomenta::clebsch_descends(algebra.table())
-            }
-            _ => Ok(true),
-        }
-    }
-
-    fn clebsch_descends<const N: usize>(&self) -> Result<bool, FormulaSystemError> {
-        Ok(self.clebsch_map::<N>()?.equivariant_maps_descend())
-    }
-
-    /// Returns the Clebsch map of the adjoint representation. If the start has no lift, it is that of the coadjoint
-    /// representation.
-    fn clebsch_map<const N: usize>(&self) -> Result<ClebschMap<N>, FormulaSystemError> {
-        let algebra = (self.table::<N>()?, self.system.algebra().dimension());
-        clebsch_map(algebra, &self.momentum::<N>(), || self.impossible())
-    }
-
-    /// Returns the start as a momentum; coordinates that complete it are zero.
-    fn momentum<const N: usize>(&self) -> Momentum<StructureConstants<N>> {
-        Vector::from_coordinates(|i| self.start.get(i).copied().unwrap_or(0.0))
     }
 
     fn formula_of_sites(&self) -> FormulaOfSites {
@@ -240,9 +190,16 @@ impl Integration<'_> {
 
     /// Applies the scheme to the equations, on the algebra that is completed to the dimension N.
     fn direct<const N: usize>(&self, scheme: AnyScheme) -> Made {
-        let space = LiePoisson::minus(self.table::<N>()?);
-        let hamiltonian = of(self.system.motion())?;
-        Ok(self.any(Direct::new(scheme, HamiltonianField { space, hamiltonian })))
+        Ok(self.any(Direct::new(scheme, self.completed_field::<N>()?)))
+    }
+
+    /// Returns the equations on the algebra that is completed to the dimension N.
+    pub(super) fn completed_field<const N: usize>(
+        &self,
+    ) -> Result<CompletedField<N>, FormulaSystemError> {
+        let table = structure_constants::<N>(self.system.algebra().entries());
+        let space = LiePoisson::minus(table.map_err(FormulaSystemError::Structure)?);
+        Ok(HamiltonianField { space, hamiltonian: self.hamiltonian()? })
     }
 
     /// Applies the scheme to the equations on an algebra of any dimension.
@@ -263,11 +220,6 @@ impl Integration<'_> {
         I: Start<State: Vector, Momentum: Vector> + TangentIntegrator + Send + Sync + 'static,
     {
         AnyIntegrator::with_tangents(integrator, self.system.algebra().dimension())
-    }
-
-    fn table<const N: usize>(&self) -> Result<StructureConstants<N>, FormulaSystemError> {
-        let entries = self.system.algebra().entries();
-        structure_constants::<N>(entries).map_err(FormulaSystemError::Structure)
     }
 
     pub(super) fn hamiltonian<A: LieAlgebra>(

@@ -10,7 +10,7 @@ impl FormulaSystem {
     /// Returns the integrator of a method, for runs from a state. It has tangent maps. Stages are solved to the method's
     /// tolerance, relative to the state; 0 iterates to the round-off floor.
     ///
-    /// The state is needed because some Clebsch maps have a lift for one state but not for another.
+    /// The state is needed because a realisation has a lift for one state but not for another.
     ///
     /// # Errors
     /// Returns [`FormulaSystemError`] if the algebra [does not have the method](crate::SystemAlgebra::method), if the length of the
@@ -46,9 +46,8 @@ impl FormulaSystem {
 
     /// Returns the fastest integrator of a method, for runs from a state. It makes the steps of
     /// [`tangent_integrator`](Self::tangent_integrator) up to rounding errors, on every processor with the same bits, and has
-    /// no tangent maps. The stages of Gauss's methods are in the lanes of a register, except on sums of so(3) and su(2) and for
-    /// Clebsch maps of few dimensions. `reduced`, which is the same map as `collective` on so(3), su(2) and se(3), takes the lift
-    /// of `collective` where there is one.
+    /// no tangent maps. The stages of Gauss's methods are in the lanes of a register, except on sums of so(3) and su(2). `reduced`,
+    /// which is the same map as `collective` on so(3), su(2) and se(3), takes the lift of `collective` where there is one.
     ///
     /// # Errors
     /// Returns the errors of [`tangent_integrator`](Self::tangent_integrator).
@@ -108,7 +107,8 @@ impl FormulaSystem {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn descends(&self, method: &Method, start: &[f64]) -> Result<bool, FormulaSystemError> {
-        self.integration(method, start)?.descends()
+        self.integration(method, start)?;
+        self.algebra().descends(method.formulation())
     }
 
     /// Checks that the system has the method from the start, and returns all three.

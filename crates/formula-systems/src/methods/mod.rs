@@ -1,7 +1,7 @@
 //! The integrators of systems by name: a formulation and a scheme.
 
 pub(crate) mod offers;
-pub(crate) mod clebsch;
+pub(crate) mod invariant_guard;
 pub(crate) mod table_field;
 pub(crate) mod formula_of_sites;
 pub(crate) mod integration;

@@ -3,14 +3,16 @@
 use crate::algebras::family::Family;
 use crate::algebras::system_algebra::SystemAlgebra;
 use crate::error::FormulaSystemError;
+use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use heavytop::methods::{Formulation, Method, SchemeName};
+use std::sync::Arc;
 
 impl SystemAlgebra {
     /// Returns the formulations that the algebra has. [`method`](Self::method) has a table.
     pub fn formulations(&self) -> impl Iterator<Item = Formulation> {
         let known = self.family != Family::Other;
         let has_own = self.realisation().is_some();
-        let clebsch = self.has_clebsch_map();
+        let clebsch = self.has_clebsch_map;
         let all = [Formulation::Collective, Formulation::Reduced, Formulation::Direct];
         all.into_iter().filter(move |formulation| match formulation {
             Formulation::Direct => true,
@@ -37,7 +39,7 @@ impl SystemAlgebra {
     /// | algebra | formulations |
     /// |---|---|
     /// | so(3), su(2), se(3) by name, and sums of so(3) and su(2) | collective, reduced, direct |
-    /// | another of dimension 2 to 6, or larger without a centre, or with one on which a derivation does not vanish: a grading of the basis, or any up to dimension 16 | collective, by a Clebsch map; direct |
+    /// | another of two dimensions or more, of which a Clebsch map is found: without a centre, or with one on which a grading of the basis does not vanish, or up to dimension 16 another derivation or a cocycle of the coadjoint representation | collective, by a Clebsch map; direct |
     /// | any other | direct |
     /// | so(n), so(p,q), sp(2n,R), gl(n) of dimension 4 to 64 | collective, along copies of their matrices; direct |
     /// | one with [momenta of your own](Self::with_realisation) | collective along these, beside the others |
@@ -68,6 +70,26 @@ impl SystemAlgebra {
         Ok(Method::new(formulation, scheme, tolerance)?)
     }
 
+    /// Returns the momenta along which the collective formulation goes, and whether they are a Poisson map to the plus bracket:
+    /// momenta of one's own, or those of a Clebsch map.
+    pub(crate) fn momenta(&self) -> Result<(Arc<QuadraticMomenta>, bool), FormulaSystemError> {
+        match self.realisation() {
+            Some((momenta, verdict)) => Ok((Arc::clone(momenta), verdict.is_plus)),
+            None => Ok((Arc::new(QuadraticMomenta::clebsch(self.table())?), true)),
+        }
+    }
+
+    /// Returns whether the steps of affine schemes descend to 𝔤∗.
+    pub(crate) fn descends(&self, formulation: Formulation) -> Result<bool, FormulaSystemError> {
+        match (formulation, self.verdict(), self.family) {
+            (Formulation::Collective, Some(verdict), _) => Ok(verdict.descends()),
+            (Formulation::Collective, None, Family::Other) => {
+                QuadraticMomenta::clebsch_descends(self.table())
+            }
+            _ => Ok(true),
+        }
+    }
+
     /// Checks that the algebra has a formulation with a scheme.
     pub(super) fn require(
         &self,
@@ -96,7 +118,7 @@ pub(super) fn refusal(
         format!("{formulation} has {}", names.join(", "))
     } else if formulation == Formulation::Collective && algebra.dimension() > 1 {
         "it has direct: no derivation was found that does not vanish on the centre, which the adjoint \
-         representation does not see"
+         representation does not see, nor such a cocycle of the coadjoint one"
             .into()
     } else {
         let names: Vec<_> = algebra.formulations().map(Formulation::name).collect();

@@ -185,13 +185,11 @@ impl OpenSystem {
     /// Returns the momenta along which the collective formulation goes, and whether they are a Poisson map to the plus bracket.
     fn momenta(&self) -> Result<(Arc<QuadraticMomenta>, bool), FormulaSystemError> {
         let algebra = self.base().algebra();
-        if let Some((momenta, verdict)) = algebra.realisation() {
-            return Ok((Arc::clone(momenta), verdict.is_plus));
+        let own = algebra.realisation().is_some();
+        match QuadraticMomenta::of_spinors(algebra).filter(|_| !own) {
+            Some(momenta) => Ok((Arc::new(momenta), true)),
+            None => algebra.momenta(),
         }
-        if let Some(momenta) = QuadraticMomenta::of_spinors(algebra) {
-            return Ok((Arc::new(momenta), true));
-        }
-        Ok((Arc::new(QuadraticMomenta::clebsch(algebra.table())?), true))
     }
 
     /// Returns whether the steps of a method descend to 𝔤∗.
@@ -199,13 +197,6 @@ impl OpenSystem {
     /// # Errors
     /// As [`FormulaSystem::descends`](crate::FormulaSystem::descends).
     pub fn descends(&self, method: &Method) -> Result<bool, FormulaSystemError> {
-        let algebra = self.base().algebra();
-        match (method.formulation(), algebra.verdict(), algebra.family) {
-            (Formulation::Collective, Some(verdict), _) => Ok(verdict.descends()),
-            (Formulation::Collective, None, Family::Other) => {
-                QuadraticMomenta::clebsch_descends(algebra.table())
-            }
-            _ => Ok(true),
-        }
+        self.base().algebra().descends(method.formulation())
     }
 }

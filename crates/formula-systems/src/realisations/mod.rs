@@ -2,7 +2,8 @@
 
 mod generic_point;
 mod odd_powers;
-mod grading;
+mod cocycles;
+mod clebsch;
 pub(crate) mod quadratic_momenta;
 pub(crate) mod verdict;
 pub(crate) mod lift;

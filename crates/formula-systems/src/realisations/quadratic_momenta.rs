@@ -1,9 +1,7 @@
 //! Quadratic momenta on a symplectic vector space: [`QuadraticMomenta`].
 
-use super::grading::{derivation, grading};
-use super::odd_powers::descends;
 use crate::error::FormulaSystemError;
-use lie_poisson::{Real, StructureTable};
+use lie_poisson::Real;
 use nalgebra::{DMatrix, DVector};
 
 /// Momenta J_a(z) = ½ z·S_a z on R²ᵐ with z = (q, p) and {q, p} = 1, one for each coordinate of 𝔤∗.
@@ -67,9 +65,6 @@ pub fn matrices_of_rows(
     };
     (1..).zip(matrices).map(matrix).collect()
 }
-
-/// The largest weight below which no basis vector is scaled.
-const SCALED: f64 = 1e-6;
 
 impl QuadraticMomenta {
     /// Creates the momenta J_a = ½ z·S_a z of symmetric matrices of 2m rows.
@@ -168,17 +163,6 @@ impl QuadraticMomenta {
         Self { freedoms, count, entries }
     }
 
-    /// Returns the momenta of two copies of the adjoint representation, a Clebsch map; of an algebra with a centre, which it does
-    /// not see, of that of 𝔤 ⋊ RD with a derivation D that scales the basis vectors: ξ·(η, t) = ([ξ, η] − tDξ, 0).
-    pub(crate) fn clebsch(algebra: &StructureTable) -> Result<Self, FormulaSystemError> {
-        Self::of_copies(&clebsch_matrices(algebra)?, 2)
-    }
-
-    /// Returns whether steps along the momenta of [`clebsch`](Self::clebsch) descend to 𝔤∗.
-    pub(crate) fn clebsch_descends(algebra: &StructureTable) -> Result<bool, FormulaSystemError> {
-        Ok(descends(&clebsch_matrices(algebra)?))
-    }
-
     /// Returns the number 2m of coordinates of z.
     #[must_use]
     pub fn size(&self) -> usize {
@@ -245,40 +229,6 @@ impl QuadraticMomenta {
             }
         }
     }
-}
-
-/// Returns the matrices of the adjoint representation; of an algebra with a centre, which it does not see, of that of 𝔤 ⋊ RD on
-/// 𝔤 ⊕ R with a derivation D: one that scales the basis vectors, or in few dimensions a generic one.
-fn clebsch_matrices(algebra: &StructureTable) -> Result<Vec<DMatrix<f64>>, FormulaSystemError> {
-    let d = algebra.dimension();
-    let mut matrices = vec![DMatrix::zeros(d, d); d];
-    for entry in algebra.entries() {
-        if let Some(matrix) = matrices.get_mut(entry.i) {
-            matrix[(entry.k, entry.j)] = entry.value;
-        }
-    }
-    if QuadraticMomenta::of_copies(&matrices, 2)?.rank() == d {
-        return Ok(matrices);
-    }
-    let weights = grading(algebra);
-    let scaling = (weights.amax() >= SCALED).then(|| DMatrix::from_diagonal(&weights));
-    let extended = |derivation: &DMatrix<f64>| -> Vec<DMatrix<f64>> {
-        let extended = |(a, matrix): (usize, &DMatrix<f64>)| {
-            let mut extended = DMatrix::zeros(d + 1, d + 1);
-            extended.view_mut((0, 0), (d, d)).copy_from(matrix);
-            extended.view_mut((0, d), (d, 1)).copy_from(&-derivation.column(a));
-            extended
-        };
-        matrices.iter().enumerate().map(extended).collect()
-    };
-    let mut scaled = scaling.as_ref().map(extended);
-    if let Some(matrices) = &scaled
-        && QuadraticMomenta::of_copies(matrices, 2)?.rank() < d
-    {
-        scaled = None;
-    }
-    let generic = || derivation(algebra).as_ref().map(extended);
-    Ok(scaled.or_else(generic).unwrap_or(matrices))
 }
 
 /// Returns the common number of rows of square matrices.

@@ -180,6 +180,7 @@ fn depth_and_length_have_limits() {
 
 /// A formula whose differential needs more numbers at a time than there are registers.
 #[test]
+#[ignore = "long"]
 fn registers_have_a_limit() {
     let factors: Vec<String> = (1..4700).map(|n| format!("sin({n}*Pi1)")).collect();
     let error = Formula::new(&factors.join("*"), &heavy_top()).unwrap_err();

@@ -54,6 +54,7 @@ fn defect<I: Integrator<State = LargeSkewHermitian>>(integrator: &I, h: f64) -> 
 }
 
 #[test]
+#[ignore = "long"]
 fn collective_and_variational_methods_are_poisson_maps_and_the_others_are_not() {
     let field = || Quadratic(SIZE);
     let h = 0.5;

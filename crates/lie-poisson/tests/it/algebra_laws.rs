@@ -28,8 +28,13 @@ fn groups() {
     group_laws(&SP1);
     group_laws(&SL2);
     group_laws(&UnitaryGroup::<2>);
-    group_laws(&UnitaryGroup::<3>);
     group_laws(&ProductGroup(SO3, SL2));
+}
+
+#[test]
+#[ignore = "long"]
+fn large_groups() {
+    group_laws(&UnitaryGroup::<3>);
     group_laws(&PowerGroup::<_, 3>(SU2));
 }
 

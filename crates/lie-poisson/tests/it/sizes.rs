@@ -85,13 +85,18 @@ fn representation_laws<R: GroupRepresentation>(r: &R) {
 fn families_of_representations() {
     representation_laws(&UnitaryOnComplexSpace::<1>);
     representation_laws(&UnitaryOnComplexSpace::<3>);
-    representation_laws(&UnitaryOnComplexSpace::<5>);
     representation_laws(&SP1OnQuaternions::<1>);
     representation_laws(&SP1OnQuaternions::<7>);
     representation_laws(&Diagonal::<_, 1>(SO3OnR3));
     representation_laws(&Diagonal::<_, 12>(SO3OnR3));
     representation_laws(&Sum(Diagonal::<_, 5>(SU2OnC2), Adjoint(SU2)));
     holds(laws::lie_group(&UnitaryGroup::<1>, &samples()).unwrap());
+}
+
+#[test]
+#[ignore = "long"]
+fn families_of_large_groups() {
+    representation_laws(&UnitaryOnComplexSpace::<5>);
     holds(laws::lie_group(&UnitaryGroup::<5>, &samples()).unwrap());
     holds(laws::lie_group(&PowerGroup::<_, 12>(SU2), &samples()).unwrap());
     holds(laws::cayley(&PowerGroup::<_, 12>(SE3::default()), &samples()).unwrap());

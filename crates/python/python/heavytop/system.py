@@ -155,9 +155,9 @@ class System(SystemDescription):
                 canonical space, which is their default, and "reduced", the same steps without a lift. With the implicit
                 schemes and the compositions both conserve every Casimir to round-off. Every algebra has "direct", which
                 keeps quadratic Casimirs with the implicit schemes. so(n), so(p,q), sp(2n,R) and gl(n) of dimension 4 to 64
-                have "collective" along copies of their matrices, their default. Others of dimension 2 to 6, or 7 to 64
-                without a centre or with one that a grading of the basis scales, have it by a Clebsch map, which keeps Casimirs to the order of the scheme, or to round-off
-                where the representation allows it.
+                have "collective" along copies of their matrices, their default. Others without a centre, or with a derivation
+                or a cocycle that does not vanish there, have it by a Clebsch map, which keeps Casimirs to the order of the
+                scheme, or to round-off where the representation allows it.
             tolerance: of the stage equations of implicit schemes, relative to the state, at most 1e-3; 0 iterates to
                 round-off.
             every: keep each n-th sample; the last one is always kept.

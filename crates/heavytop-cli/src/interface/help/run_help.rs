@@ -268,10 +268,9 @@ sum(S[i]Â·S[j], i < j), pi, and Greek letters by name (Gamma1) or as they are (Î
 product without *. A coordinate must not have the name of another column.
 so(3), su(2), se(3) and sums of so(3) and su(2) have the formulations
 collective, reduced and direct; so(n), so(p,q), sp(2n,R) and gl(n) of dimension 4 to 64
-collective, along copies of their matrices, and direct; others of dimension 2 to 6, and larger ones
-without a centre or with a derivation that does not vanish there, collective, on T*V by a Clebsch
-map, with a warning where its steps are not Poisson, and direct; the others direct, which is not
-Poisson. Without the key: collective where
+collective, along copies of their matrices, and direct; others without a centre, or with a
+derivation or a cocycle that does not vanish there, collective, on T*V by a Clebsch map, with a
+warning where its steps are not Poisson, and direct; the others direct, which is not Poisson. Without the key: collective where
 there is reduced, too, or along matrices, and direct elsewhere.
 
 Examples:

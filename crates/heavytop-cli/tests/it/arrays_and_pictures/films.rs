@@ -59,6 +59,7 @@ fn simulated(folder: &Folder, text: &str) {
 }
 
 #[test]
+#[ignore = "long"]
 fn a_film_has_a_frame_for_every_n_th_sample() {
     let folder = Folder::new();
     for (text, samples) in [(VORTICES, 31), (SPINS, 16), (FLUID, 4)] {

@@ -37,6 +37,7 @@ fn worst_covariance<const K: usize>(
 }
 
 #[test]
+#[ignore = "long"]
 fn increments_have_the_covariances_of_brownian_motions() {
     let paths = BrownianPaths::new(3, 0.25).unwrap();
     // Over times that are parts of an interval, a whole one, and many, of several components.

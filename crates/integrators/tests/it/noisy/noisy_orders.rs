@@ -61,6 +61,7 @@ fn strong_errors<N: Noise<LiePoisson<So3>>>(noise: impl Fn() -> N, paths: u64) -
 }
 
 #[test]
+#[ignore = "long"]
 fn the_strong_order_is_one_half_or_one_if_the_noise_commutes() {
     let any = strong_errors(|| isotropic(STRENGTH), 60);
     let order = fitted_order(&any, 1e-14).unwrap();

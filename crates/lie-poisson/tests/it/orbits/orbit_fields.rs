@@ -119,6 +119,7 @@ proptest! {
     }
 
     #[test]
+    #[ignore = "long"]
     fn laws_of_orbit_fields_of_the_unitary_algebra(
         numbers in prop::array::uniform18(-2.0..2.0_f64),
         units in units(),

@@ -70,6 +70,7 @@ fn small_systems_remember_earlier_steps() {
 }
 
 #[test]
+#[ignore = "long"]
 fn states_have_the_same_bits_on_any_number_of_threads() {
     let spins = || {
         let model = lattice(&[24.0, 24.0, 24.0], 1.0);

@@ -225,11 +225,7 @@ fn a_vibrating_lattice_steps_as_that_of_the_gallery() {
 /// ω = 2 J cos θ Σ (1 − cos k_i), to six digits.
 #[test]
 fn spin_waves_have_the_frequencies_of_the_literature() {
-    for (shape, waves) in [
-        (vec![12.0], vec![1.0]),
-        (vec![8.0, 6.0], vec![1.0, 2.0]),
-        (vec![4.0, 6.0, 8.0], vec![1.0, -1.0, 2.0]),
-    ] {
+    for (shape, waves) in [(vec![12.0], vec![1.0]), (vec![4.0, 3.0, 4.0], vec![1.0, -1.0, 1.0])] {
         let (exchange, cone, end): (f64, f64, f64) = (0.7, 0.4, 2.0);
         let model = lattice(&shape, exchange);
         let given = Arguments::new().list("waves", waves.clone()).number("cone", cone);

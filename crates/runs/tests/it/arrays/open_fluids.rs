@@ -61,6 +61,7 @@ const EDDIES: [[f64; 4]; 3] = [[2.0, 1.0, 0.5, 0.1], [3.0, 2.0, -0.4, 0.2], [5.0
 /// Harmonics of one degree make a steady flow, so that stirring and damping alone change them: each of 2l + 1 has the
 /// variance σ²/2λ, at every step size. After a step of 2/λ they are forgotten but for e⁻², and Z but for e⁻⁴.
 #[test]
+#[ignore = "long"]
 fn a_stirred_and_damped_shell_has_its_exact_enstrophy() {
     let (strength, steps) = (0.05, 2000);
     let mean_of = |viscosity| {
@@ -170,6 +171,7 @@ fn what_is_kept_is_told() {
 
 /// A run continues with the bits of the whole one, and its path is that of its number in an ensemble.
 #[test]
+#[ignore = "long"]
 fn paths_are_functions_of_their_number() {
     let noise = FluidNoise {
         transport: shell(2, 3, 0.05),

@@ -104,6 +104,7 @@ fn rotations_of_axes() -> Vec<Matrix3<f64>> {
 
 /// Nothing depends on which axes of the body carry which numbers, and which way they point.
 #[test]
+#[ignore = "long"]
 fn reports_do_not_know_the_names_of_the_axes() {
     let bodies = [
         (Vector3::new(2.0, 2.0, 1.0), Vector3::z(), 1.0),

@@ -219,6 +219,7 @@ fn waves_turn_at_the_exact_rate() {
 }
 
 #[test]
+#[ignore = "long"]
 fn invariants_are_conserved() {
     let size = 16;
     let fluid = Zeitlin::new(size).unwrap();

@@ -166,6 +166,7 @@ fn chains_and_rings(couplings: &[(f64, f64)], sites: usize, sample: (u64, u64)) 
 }
 
 #[test]
+#[ignore = "long"]
 fn chains_and_rings_have_the_energy_of_the_transfer_operator() {
     chains_and_rings(&[(1.0, 0.05), (4.0, 0.05)], 64, (8, 500));
 }

@@ -24,7 +24,7 @@ use momentum_map::LiftError;
 /// A state that has left its orbit, or its level of the energy, by more is wrong, even if it solves the equations of the step.
 /// For steps that resolve the motion the inequality holds with room, since r is a bound and the constants of the methods are
 /// small.
-pub(in crate::methods) struct InvariantGuard<I> {
+pub(super) struct InvariantGuard<I> {
     integrator: I,
     guarded: Guarded,
 }
@@ -45,7 +45,7 @@ const ROUND_OFF: f64 = 1e-9;
 const MIXED: f64 = 1e-12;
 
 /// The storage of guarded steps: that of the integrator, and what changes are compared with.
-pub(in crate::methods) struct GuardedWorkspace<W, V> {
+pub(super) struct GuardedWorkspace<W, V> {
     inner: W,
     /// The end of the last step.
     end: Option<V>,
@@ -71,7 +71,7 @@ struct Record {
 
 impl<I> InvariantGuard<I> {
     /// Guards an integrator of this order for a system. Its momenta begin with those of the system.
-    pub(in crate::methods) fn new(integrator: I, order: usize, system: &FormulaSystem) -> Self {
+    pub(super) fn new(integrator: I, order: usize, system: &FormulaSystem) -> Self {
         let hamiltonian = Casimir::from(system.hamiltonian().clone());
         let invariants = core::iter::once(hamiltonian).chain(system.casimirs().iter().cloned());
         let guarded = Guarded {
