@@ -47,38 +47,83 @@ pub(crate) struct RealisedCollective<I> {
     pub(crate) momenta: Arc<QuadraticMomenta>,
 }
 
+/// The storage of the steps: that of the integrator, and what a point is compared with.
+pub(crate) struct RealisedWorkspace<W> {
+    inner: W,
+    /// The length |z|² of the shortest point known since the last checkpoint.
+    near: Option<f64>,
+    is_pinned: bool,
+}
+
+/// The growth of |z|² beyond which a shorter point is looked for: that of z by a half.
+const GROWN: f64 = 2.25;
+
 impl<I> RealisedCollective<I> {
     fn momentum_of<T: Real>(&self, z: &AnyState<T>) -> AnyState<T> {
         let mut mu: SmallVec<[T; FEW]> = smallvec![T::zero(); self.momenta.count()];
         self.momenta.values(z.as_slice(), &mut mu);
         AnyState::from_slice(&mu)
     }
+
+    /// Returns a shorter point with the momentum of z, if a run begins or z has grown. Dual numbers are not moved, since a move has
+    /// no tangent map.
+    fn moved<T: Real, W>(
+        &self,
+        z: &AnyState<T>,
+        workspace: &mut RealisedWorkspace<W>,
+    ) -> Option<AnyState<T>> {
+        if workspace.is_pinned {
+            return None;
+        }
+        let mut length = T::zero();
+        z.as_slice().iter().for_each(|x| length += *x * *x);
+        let length = length.as_f64()?;
+        if workspace.near.is_some_and(|near| length <= GROWN * near) {
+            return None;
+        }
+        workspace.near = Some(length);
+        let numbers: Vec<f64> = z.as_slice().iter().filter_map(|x| x.as_f64()).collect();
+        let moved = self.momenta.recentred(&numbers)?;
+        workspace.near = Some(moved.iter().map(|x| x * x).sum());
+        let moved: Vec<T> = moved.into_iter().map(T::from_f64).collect();
+        Some(AnyState::from_slice(&moved))
+    }
 }
 
 impl<I: Integrator<T, State = AnyState<T>>, T: Real> Integrator<T> for RealisedCollective<I> {
     type State = AnyState<T>;
     type Momentum = AnyState<T>;
-    type Workspace = I::Workspace;
+    type Workspace = RealisedWorkspace<I::Workspace>;
 
-    fn workspace(&self) -> I::Workspace {
-        self.motion.workspace()
+    fn workspace(&self) -> Self::Workspace {
+        RealisedWorkspace { inner: self.motion.workspace(), near: None, is_pinned: false }
     }
 
     fn step(
         &self,
         state: &AnyState<T>,
         step: f64,
-        workspace: &mut I::Workspace,
+        workspace: &mut Self::Workspace,
     ) -> Result<Step<AnyState<T>>, StepError> {
-        let made = self.motion.step(state, step, workspace)?;
+        let moved = self.moved(state, workspace);
+        if moved.is_some() {
+            self.motion.forget(&mut workspace.inner);
+        }
+        let made = self.motion.step(moved.as_ref().unwrap_or(state), step, &mut workspace.inner)?;
         match self.momentum_of(&made.point).is_finite() {
             true => Ok(made),
             false => Err(StepError::NotFinite),
         }
     }
 
-    fn forget(&self, workspace: &mut I::Workspace) {
-        self.motion.forget(workspace);
+    fn forget(&self, workspace: &mut Self::Workspace) {
+        self.motion.forget(&mut workspace.inner);
+        workspace.near = None;
+    }
+
+    fn pin(&self, workspace: &mut Self::Workspace) {
+        self.motion.pin(&mut workspace.inner);
+        workspace.is_pinned = true;
     }
 
     fn momentum(&self, state: &AnyState<T>) -> AnyState<T> {
@@ -88,6 +133,7 @@ impl<I: Integrator<T, State = AnyState<T>>, T: Real> Integrator<T> for RealisedC
 
 impl<I: Integrator<State = AnyState>> Start for RealisedCollective<I> {
     fn start(&self, mu: &AnyState) -> Result<AnyState, LiftError> {
-        Ok(AnyState::from_slice(&self.momenta.lift(mu.as_slice())?))
+        let lift = self.momenta.lift(mu.as_slice())?;
+        Ok(AnyState::from_slice(&self.momenta.recentred(&lift).unwrap_or(lift)))
     }
 }

@@ -47,8 +47,7 @@ impl QuadraticMomenta {
         weights: &[f64],
     ) -> Option<DVector<f64>> {
         let momenta = |z: &DVector<f64>| {
-            let mut values = DVector::zeros(mu.len());
-            self.values(z.as_slice(), values.as_mut_slice());
+            let mut values = self.values_at(z);
             values.iter_mut().zip(weights).for_each(|(value, weight)| *value *= weight);
             values
         };

@@ -7,4 +7,5 @@ mod clebsch;
 pub(crate) mod quadratic_momenta;
 pub(crate) mod verdict;
 pub(crate) mod lift;
+mod recentring;
 pub(crate) mod collective;

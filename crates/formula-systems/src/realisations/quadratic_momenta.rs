@@ -175,6 +175,11 @@ impl QuadraticMomenta {
         self.count
     }
 
+    /// Returns the entries (a, row, column, value) of the matrices S_a that are not zero.
+    pub(super) fn entries(&self) -> &[(usize, usize, usize, f64)] {
+        &self.entries
+    }
+
     /// Returns the matrices S_a.
     pub(super) fn forms(&self) -> Vec<DMatrix<f64>> {
         let mut forms = vec![DMatrix::zeros(self.size(), self.size()); self.count];
