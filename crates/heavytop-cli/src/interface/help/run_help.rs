@@ -270,8 +270,8 @@ so(3), su(2), se(3) and sums of so(3) and su(2) have the formulations
 collective, reduced and direct; so(n), so(p,q), sp(2n,R) and gl(n) of dimension 4 to 64
 collective, along copies of their matrices, and direct; others without a centre, or with a
 derivation or a cocycle that does not vanish there, collective, on T*V by a Clebsch map, with a
-warning where its steps are not Poisson, and direct; the others direct, which is not Poisson. Without the key: collective where
-there is reduced, too, or along matrices, and direct elsewhere.
+warning where its steps are not Poisson, and direct; the others direct, which is not Poisson.
+Without the key: collective where there is reduced, too, or along matrices, and direct elsewhere.
 
 Examples:
   heavytop simulate --out kovalevskaya.csv        # the paper's top
