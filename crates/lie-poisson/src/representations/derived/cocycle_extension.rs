@@ -50,24 +50,8 @@ impl<A: LieAlgebra> ExtendedAdjoint<A> {
     /// Returns [`CocycleError`] if a structure constant, or the product of the largest one with the derivation, is not
     /// finite.
     pub fn of(algebra: A) -> Result<Self, CocycleError> {
-        Self::of_summand(algebra, A::Element::<f64>::DIM)
-    }
-
-    /// Creates the extension of the direct sum 𝔤 ⊕ Rᵏ of an algebra 𝔤, spanned by the first `dimension` basis vectors, and
-    /// an abelian one. It is that of 𝔤 [by itself](Self::of), up to rounding errors, with the derivation
-    ///
-    /// ```text
-    /// (ξ, η) ↦ (Dξ, 0)
-    /// ```
-    ///
-    /// Derivations of a direct sum have blocks that do not depend on each other, so that the nearest one has the nearest
-    /// blocks. If the algebra is no such sum, the derivation is the one nearest to the projection on the first vectors.
-    ///
-    /// # Errors
-    /// Returns the errors of [`of`](Self::of).
-    pub fn of_summand(algebra: A, dimension: usize) -> Result<Self, CocycleError> {
         let identity = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
-        nearest_to(InfinitesimalAdjoint(algebra), identity, dimension)
+        nearest_to(InfinitesimalAdjoint(algebra), identity)
     }
 }
 
@@ -99,53 +83,17 @@ impl<A: LieAlgebra> ExtendedCoadjoint<A> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn of(algebra: A) -> Result<Self, CocycleError> {
-        Self::of_summand(algebra, A::Element::<f64>::DIM)
-    }
-
-    /// Creates the extension of the direct sum 𝔤 ⊕ Rᵏ of an algebra 𝔤, spanned by the first `dimension` basis vectors, and
-    /// an abelian one. It is that of 𝔤 [by itself](Self::of), up to rounding errors, with the cocycle
-    ///
-    /// ```text
-    /// (ξ, η) ↦ (c(ξ), 0)
-    /// ```
-    ///
-    /// for the reason that [`ExtendedAdjoint::of_summand`] states.
-    ///
-    /// # Errors
-    /// Returns the errors of [`of`](Self::of).
-    ///
-    /// # Example
-    /// The plane of one rotation and two translations, completed by a direction that commutes with all:
-    /// ```
-    /// use lie_poisson::{ExtendedCoadjoint, StructureConstants};
-    /// let plane = |i, j, k| match (i, j, k) {
-    ///     (0, 1, 2) | (2, 0, 1) => 1.0,
-    ///     (1, 0, 2) | (0, 2, 1) => -1.0,
-    ///     _ => 0.0,
-    /// };
-    /// let alone = ExtendedCoadjoint::of(StructureConstants::<3>::new(plane)?)?;
-    /// let summand = ExtendedCoadjoint::of_summand(StructureConstants::<4>::new(plane)?, 3)?;
-    /// for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
-    ///     // an entry outside of the matrix is 0
-    ///     assert!((summand.0.entry(i, j) - alone.0.entry(i, j)).abs() < 1e-14);
-    /// }
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn of_summand(algebra: A, dimension: usize) -> Result<Self, CocycleError> {
         let generic = |i: usize, j: usize| ((2 * i + 1) as f64 * 0.7 + (j * j + j) as f64).sin();
-        nearest_to(Contragredient(InfinitesimalAdjoint(algebra)), generic, dimension)
+        nearest_to(Contragredient(InfinitesimalAdjoint(algebra)), generic)
     }
 }
 
-/// Returns the extension by the cocycle nearest to a matrix whose rows and columns from `dimension` on are zero, multiplied by
-/// the largest structure constant.
+/// Returns the extension by the cocycle nearest to a matrix, multiplied by the largest structure constant.
 fn nearest_to<R: Representation>(
     representation: R,
     target: impl Fn(usize, usize) -> f64,
-    dimension: usize,
 ) -> Result<CocycleExtension<R>, CocycleError> {
     let size = nonzero(largest_element(&representation));
-    let target = |i: usize, j: usize| if i.max(j) < dimension { target(i, j) } else { 0.0 };
     Ok(CocycleExtension(Cocycle::nearest_to(representation, target)?.scaled(size)?))
 }
 
