@@ -59,8 +59,8 @@ pub struct SystemAlgebra {
     pub(crate) family: Family,
     /// Momenta of one's own for the collective formulation, and what they obey.
     realisation: Option<(Arc<QuadraticMomenta>, Verdict)>,
-    /// Whether there is a Clebsch map that reaches an open part of 𝔤∗.
-    pub(crate) has_clebsch_map: bool,
+    /// The Clebsch map that is taken where there are no other momenta.
+    clebsch: Option<Arc<QuadraticMomenta>>,
     /// The direct summands whose Casimirs are known without a search.
     pub(crate) summands: Vec<Summand>,
 }
@@ -229,18 +229,17 @@ impl SystemAlgebra {
         family: Family,
     ) -> Self {
         let entries = table.entries().iter().copied().filter(|entry| entry.i < entry.j).collect();
-        let (realisation, summands, has_clebsch_map) = (None, Vec::new(), false);
-        Self { name, coordinates, entries, table, family, realisation, has_clebsch_map, summands }
+        let (realisation, summands, clebsch) = (None, Vec::new(), None);
+        Self { name, coordinates, entries, table, family, realisation, clebsch, summands }
     }
 
-    /// Finds out whether there is a Clebsch map, where no other realisation is known.
+    /// Looks for a Clebsch map, where no other realisation is known.
     fn with_clebsch_map(self) -> Self {
         let is_needed = CLEBSCH_MAPS.contains(&self.dimension())
             && self.family == Family::Other
             && self.realisation.is_none();
-        let momenta = is_needed.then(|| QuadraticMomenta::clebsch(&self.table).ok()).flatten();
-        let has_clebsch_map = momenta.is_some_and(|momenta| momenta.rank() == self.dimension());
-        Self { has_clebsch_map, ..self }
+        let momenta = is_needed.then(|| QuadraticMomenta::clebsch(&self.table)).flatten();
+        Self { clebsch: momenta.map(Arc::new), ..self }
     }
 
     /// Returns the algebra with other symbols for its coordinates, in the order in which their own symbols come: `S` for
@@ -295,9 +294,13 @@ impl SystemAlgebra {
         self.realisation.as_ref().map(|(_, verdict)| *verdict)
     }
 
-    /// Returns the momenta of one's own, and what they obey.
-    pub(crate) fn realisation(&self) -> Option<&(Arc<QuadraticMomenta>, Verdict)> {
-        self.realisation.as_ref()
+    /// Returns the momenta along which the collective formulation goes, and whether they are a Poisson map to the plus bracket:
+    /// momenta of one's own, or those of a Clebsch map. Rotations and rigid motions by name need none.
+    pub(crate) fn momenta(&self) -> Option<(Arc<QuadraticMomenta>, bool)> {
+        match &self.realisation {
+            Some((momenta, verdict)) => Some((Arc::clone(momenta), verdict.is_plus)),
+            None => Some((Arc::clone(self.clebsch.as_ref()?), true)),
+        }
     }
 
     /// Returns the name in messages: that of [`named`](Self::named), or "this algebra".

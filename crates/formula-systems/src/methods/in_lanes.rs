@@ -3,7 +3,6 @@
 use super::integration::Integration;
 use crate::algebras::family::Family;
 use crate::error::FormulaSystemError;
-use crate::realisations::collective::RealisedCollective;
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use collective_integrators::{
     AnyIntegrator, AnyState, Collective, Direct, FieldInLanes, HamiltonianField, Scheme,
@@ -30,7 +29,7 @@ impl Integration<'_> {
             SchemeName::Gauss(stages) if STAGES.contains(&stages) => {}
             _ => return Ok(None),
         }
-        if let Some((momenta, is_plus)) = self.momenta()? {
+        if let Some((momenta, is_plus)) = self.momenta() {
             return self.realised_in_lanes(momenta, is_plus);
         }
         let algebra = self.system.algebra();
@@ -61,15 +60,17 @@ impl Integration<'_> {
         }
     }
 
+    /// Applies the scheme to the equations, on the algebra that is completed to the dimension N.
     fn completed_in_lanes<const N: usize>(&self) -> MadeInLanes {
         Ok(Some(self.in_lanes(Direct::new(self.scheme()?, self.completed_field::<N>()?))))
     }
 
+    /// Applies the scheme along quadratic momenta.
     fn realised_in_lanes(&self, momenta: Arc<QuadraticMomenta>, is_plus: bool) -> MadeInLanes {
         let (scheme, field) = (self.scheme()?, self.realised_field(&momenta, is_plus)?);
         let (order, point) = (scheme.order(), AnyState::from_slice(&vec![0.0; momenta.size()]));
         let motion = StagesInLanes::widest(Direct::new(scheme, field));
-        let guarded = self.guarded(RealisedCollective { motion, momenta }, order)?;
+        let guarded = self.guarded(motion, momenta, order)?;
         Ok(Some(AnyIntegrator::of_states(guarded, &point, &self.momentum_of_any_size())))
     }
 

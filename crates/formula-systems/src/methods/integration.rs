@@ -11,7 +11,7 @@ use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::{
     AnyIntegrator, AnyState, AnyTangents, ByPointer, Collective, CollectiveSites, Composition,
-    Direct, HamiltonianField, LiftFree, LiftFreeSites, RungeKutta, Scheme, Start,
+    Direct, HamiltonianField, Integrator, LiftFree, LiftFreeSites, RungeKutta, Scheme, Start,
     TangentIntegrator,
 };
 use heavytop::SpinorRealisation;
@@ -62,7 +62,7 @@ impl Integration<'_> {
         let (scheme, tolerance) = (self.method.scheme(), self.method.tolerance());
         let collective =
             || self.system.algebra().method(Formulation::Collective, scheme, tolerance);
-        let own = self.system.algebra().realisation().is_some();
+        let own = self.system.algebra().verdict().is_some();
         (has_lift && !own).then(collective).transpose()
     }
 
@@ -74,7 +74,7 @@ impl Integration<'_> {
 
     fn with(&self, scheme: AnyScheme) -> Made {
         let algebra = self.system.algebra();
-        if let Some((momenta, is_plus)) = self.momenta()? {
+        if let Some((momenta, is_plus)) = self.momenta() {
             return self.realised(scheme, momenta, is_plus);
         }
         Ok(match (self.method.formulation(), algebra.family) {
@@ -127,7 +127,7 @@ impl Integration<'_> {
     fn realised(&self, scheme: AnyScheme, momenta: Arc<QuadraticMomenta>, is_plus: bool) -> Made {
         let (order, point) = (scheme.order(), AnyState::from_slice(&vec![0.0; momenta.size()]));
         let motion = Direct::new(ByPointer(scheme), self.realised_field(&momenta, is_plus)?);
-        let guarded = self.guarded(RealisedCollective { motion, momenta }, order)?;
+        let guarded = self.guarded(motion, momenta, order)?;
         Ok(AnyIntegrator::of_states_with_tangents(guarded, &point, &self.momentum_of_any_size()))
     }
 
@@ -146,17 +146,18 @@ impl Integration<'_> {
         Ok(RealisedField { momenta: Arc::clone(momenta), hamiltonian })
     }
 
-    /// Guards a collective integrator along quadratic momenta.
+    /// Makes a collective integrator of one of the [field](Self::realised_field), and guards it.
     ///
     /// # Errors
     /// If the start has no lift. That is for the start of a run to say; here it is refused early.
-    pub(super) fn guarded<I: Start<Momentum = AnyState>>(
+    pub(super) fn guarded<I: Integrator<State = AnyState>>(
         &self,
-        collective: I,
+        motion: I,
+        momenta: Arc<QuadraticMomenta>,
         order: usize,
-    ) -> Result<InvariantGuard<I>, FormulaSystemError> {
-        collective.start(&self.momentum_of_any_size())?;
-        Ok(InvariantGuard::new(collective, order, self.system))
+    ) -> Result<InvariantGuard<RealisedCollective<I>>, FormulaSystemError> {
+        momenta.lift(self.start)?;
+        Ok(InvariantGuard::new(RealisedCollective { motion, momenta }, order, self.system))
     }
 
     /// Returns the start.
@@ -166,17 +167,9 @@ impl Integration<'_> {
 
     /// Returns the momenta along which the collective method goes, and whether their bracket is the plus bracket: one's own, or
     /// those of a Clebsch map.
-    pub(super) fn momenta(
-        &self,
-    ) -> Result<Option<(Arc<QuadraticMomenta>, bool)>, FormulaSystemError> {
-        let algebra = self.system.algebra();
-        match (self.method.formulation(), algebra.family) {
-            (Formulation::Collective, Family::Other) => algebra.momenta().map(Some),
-            (Formulation::Collective, _) if algebra.realisation().is_some() => {
-                algebra.momenta().map(Some)
-            }
-            _ => Ok(None),
-        }
+    pub(super) fn momenta(&self) -> Option<(Arc<QuadraticMomenta>, bool)> {
+        let is_collective = self.method.formulation() == Formulation::Collective;
+        is_collective.then(|| self.system.algebra().momenta()).flatten()
     }
 
     fn formula_of_sites(&self) -> FormulaOfSites {

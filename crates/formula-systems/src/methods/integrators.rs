@@ -108,7 +108,7 @@ impl FormulaSystem {
     /// ```
     pub fn descends(&self, method: &Method, start: &[f64]) -> Result<bool, FormulaSystemError> {
         self.integration(method, start)?;
-        self.algebra().descends(method.formulation())
+        Ok(self.algebra().descends(method.formulation()))
     }
 
     /// Checks that the system has the method from the start, and returns all three.

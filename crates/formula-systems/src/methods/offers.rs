@@ -5,18 +5,16 @@ use crate::algebras::system_algebra::SystemAlgebra;
 use crate::error::FormulaSystemError;
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use heavytop::methods::{Formulation, Method, SchemeName};
-use std::sync::Arc;
 
 impl SystemAlgebra {
     /// Returns the formulations that the algebra has. [`method`](Self::method) has a table.
     pub fn formulations(&self) -> impl Iterator<Item = Formulation> {
         let known = self.family != Family::Other;
-        let has_own = self.realisation().is_some();
-        let clebsch = self.has_clebsch_map;
+        let has_momenta = self.momenta().is_some();
         let all = [Formulation::Collective, Formulation::Reduced, Formulation::Direct];
         all.into_iter().filter(move |formulation| match formulation {
             Formulation::Direct => true,
-            Formulation::Collective => known || clebsch || has_own,
+            Formulation::Collective => known || has_momenta,
             _ => known,
         })
     }
@@ -27,7 +25,7 @@ impl SystemAlgebra {
     #[must_use]
     pub fn default_formulation(&self) -> Formulation {
         match self.family {
-            _ if self.realisation().is_some() => Formulation::Collective,
+            _ if self.verdict().is_some() => Formulation::Collective,
             Family::Rotations | Family::ManyRotations | Family::Motions => Formulation::Collective,
             Family::Other => Formulation::Direct,
         }
@@ -70,23 +68,14 @@ impl SystemAlgebra {
         Ok(Method::new(formulation, scheme, tolerance)?)
     }
 
-    /// Returns the momenta along which the collective formulation goes, and whether they are a Poisson map to the plus bracket:
-    /// momenta of one's own, or those of a Clebsch map.
-    pub(crate) fn momenta(&self) -> Result<(Arc<QuadraticMomenta>, bool), FormulaSystemError> {
-        match self.realisation() {
-            Some((momenta, verdict)) => Ok((Arc::clone(momenta), verdict.is_plus)),
-            None => Ok((Arc::new(QuadraticMomenta::clebsch(self.table())?), true)),
-        }
-    }
-
     /// Returns whether the steps of affine schemes descend to 𝔤∗.
-    pub(crate) fn descends(&self, formulation: Formulation) -> Result<bool, FormulaSystemError> {
+    pub(crate) fn descends(&self, formulation: Formulation) -> bool {
         match (formulation, self.verdict(), self.family) {
-            (Formulation::Collective, Some(verdict), _) => Ok(verdict.descends()),
+            (Formulation::Collective, Some(verdict), _) => verdict.descends(),
             (Formulation::Collective, None, Family::Other) => {
                 QuadraticMomenta::clebsch_descends(self.table())
             }
-            _ => Ok(true),
+            _ => true,
         }
     }
 

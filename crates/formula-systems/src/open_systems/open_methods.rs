@@ -167,14 +167,18 @@ impl OpenSystem {
     ) -> Result<OpenIntegrator, FormulaSystemError> {
         self.method(method.formulation(), method.scheme(), method.tolerance())?;
         self.base().require_length(start)?;
-        let scheme = method.scheme().runge_kutta(method.tolerance())?.ok_or_else(|| {
+        let no_method = |has: &str| {
             let algebra = self.base().algebra().name().into();
             let (formulation, scheme) = (method.formulation(), method.scheme());
-            let has = "it has Runge–Kutta methods and compositions of them".into();
-            FormulaSystemError::NoMethod { algebra, formulation, scheme, has }
-        })?;
+            FormulaSystemError::NoMethod { algebra, formulation, scheme, has: has.into() }
+        };
+        let scheme = method.scheme().runge_kutta(method.tolerance())?;
+        let scheme = scheme
+            .ok_or_else(|| no_method("it has Runge–Kutta methods and compositions of them"))?;
         let momenta = match method.formulation() {
-            Formulation::Collective => Some(self.momenta()?),
+            Formulation::Collective => {
+                Some(self.momenta().ok_or_else(|| no_method("it has direct"))?)
+            }
             _ => None,
         };
         let attitude = attitude.map(|q| core::array::from_fn(|i| q.coordinate(i)));
@@ -183,13 +187,10 @@ impl OpenSystem {
     }
 
     /// Returns the momenta along which the collective formulation goes, and whether they are a Poisson map to the plus bracket.
-    fn momenta(&self) -> Result<(Arc<QuadraticMomenta>, bool), FormulaSystemError> {
+    fn momenta(&self) -> Option<(Arc<QuadraticMomenta>, bool)> {
         let algebra = self.base().algebra();
-        let own = algebra.realisation().is_some();
-        match QuadraticMomenta::of_spinors(algebra).filter(|_| !own) {
-            Some(momenta) => Ok((Arc::new(momenta), true)),
-            None => algebra.momenta(),
-        }
+        let spinors = || Some((Arc::new(QuadraticMomenta::of_spinors(algebra)?), true));
+        algebra.momenta().or_else(spinors)
     }
 
     /// Returns whether the steps of a method descend to 𝔤∗.
@@ -197,6 +198,6 @@ impl OpenSystem {
     /// # Errors
     /// As [`FormulaSystem::descends`](crate::FormulaSystem::descends).
     pub fn descends(&self, method: &Method) -> Result<bool, FormulaSystemError> {
-        self.base().algebra().descends(method.formulation())
+        Ok(self.base().algebra().descends(method.formulation()))
     }
 }

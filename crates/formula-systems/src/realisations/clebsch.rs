@@ -3,7 +3,6 @@
 use super::cocycles::{cocycle, grading};
 use super::odd_powers::descends;
 use super::quadratic_momenta::QuadraticMomenta;
-use crate::error::FormulaSystemError;
 use lie_poisson::StructureTable;
 use nalgebra::DMatrix;
 
@@ -11,23 +10,23 @@ use nalgebra::DMatrix;
 const SCALED: f64 = 1e-6;
 
 impl QuadraticMomenta {
-    /// Returns the momenta of two copies of a representation on 𝔤 or 𝔤∗, which reach an open part of 𝔤∗ if one is found that does.
+    /// Returns the momenta of two copies of a representation on 𝔤 or 𝔤∗ that reach an open part of 𝔤∗; `None` if none is found.
     ///
     /// It is the adjoint one. The adjoint representation of an algebra with a centre does not see the centre, and is extended by a
     /// cocycle c to 𝔤 ⊕ R: ξ·(η, t) = ([ξ, η] − t c(ξ), 0). For a derivation, this is the one of 𝔤 ⋊ RD. Where no derivation sees
     /// the centre, the coadjoint representation is extended in the same way.
-    pub(crate) fn clebsch(algebra: &StructureTable) -> Result<Self, FormulaSystemError> {
-        Self::of_copies(&clebsch_matrices(algebra)?, 2)
+    pub(crate) fn clebsch(algebra: &StructureTable) -> Option<Self> {
+        found(algebra).map(|(_, momenta)| momenta)
     }
 
     /// Returns whether steps along the momenta of [`clebsch`](Self::clebsch) descend to 𝔤∗.
-    pub(crate) fn clebsch_descends(algebra: &StructureTable) -> Result<bool, FormulaSystemError> {
-        Ok(descends(&clebsch_matrices(algebra)?))
+    pub(crate) fn clebsch_descends(algebra: &StructureTable) -> bool {
+        found(algebra).is_some_and(|(matrices, _)| descends(&matrices))
     }
 }
 
-/// Returns the matrices of the first representation whose momenta reach an open part of 𝔤∗; those of the adjoint one, if none does.
-fn clebsch_matrices(algebra: &StructureTable) -> Result<Vec<DMatrix<f64>>, FormulaSystemError> {
+/// Returns the matrices of the first representation whose momenta reach an open part of 𝔤∗, and these momenta.
+fn found(algebra: &StructureTable) -> Option<(Vec<DMatrix<f64>>, QuadraticMomenta)> {
     let adjoint = adjoint_matrices(algebra);
     let scaled = || {
         let weights = grading(algebra);
@@ -40,12 +39,10 @@ fn clebsch_matrices(algebra: &StructureTable) -> Result<Vec<DMatrix<f64>>, Formu
     let coadjoint = || -> Vec<DMatrix<f64>> { adjoint.iter().map(|ad| -ad.transpose()).collect() };
     let candidates: [&dyn Fn() -> Option<Vec<DMatrix<f64>>>; 4] =
         [&|| Some(adjoint.clone()), &scaled, &|| generic(&adjoint), &|| generic(&coadjoint())];
-    for matrices in candidates.iter().filter_map(|candidate| candidate()) {
-        if QuadraticMomenta::of_copies(&matrices, 2)?.rank() == algebra.dimension() {
-            return Ok(matrices);
-        }
-    }
-    Ok(adjoint)
+    candidates.iter().filter_map(|candidate| candidate()).find_map(|matrices| {
+        let momenta = QuadraticMomenta::of_copies(&matrices, 2).ok()?;
+        (momenta.rank() == algebra.dimension()).then_some((matrices, momenta))
+    })
 }
 
 /// Returns the matrices of the adjoint representation.

@@ -20,20 +20,23 @@ pub(super) fn grading(algebra: &StructureTable) -> DVector<f64> {
         equations[(row, entry.j)] += 1.0;
         equations[(row, entry.k)] -= 1.0;
     }
-    let svd = equations.svd(false, true);
-    let largest = svd.singular_values.max();
-    let Some(rows) = svd.v_t else { return DVector::zeros(d) };
-    let start = generic(d, 1);
-    let free = svd.singular_values.iter().zip(rows.row_iter());
-    let free = free.filter(|(value, _)| **value <= ZERO * largest.max(1.0));
-    without_rounding(free.fold(DVector::zeros(d), |sum, (_, row)| {
-        let direction = row.transpose();
-        sum + &direction * direction.dot(&start)
-    }))
+    solution(equations)
 }
 
-/// Returns a vector with zeros for what is round-off, which would be taken for an entry, since momenta have units of their own.
-fn without_rounding(sum: DVector<f64>) -> DVector<f64> {
+/// Returns a generic solution among those of homogeneous equations, which have at least as many rows as unknowns. What is round-off
+/// in it is zero: it would be taken for an entry, since momenta have units of their own.
+fn solution(equations: DMatrix<f64>) -> DVector<f64> {
+    let unknowns = equations.ncols();
+    let svd = equations.svd(false, true);
+    let largest = svd.singular_values.max();
+    let Some(rows) = svd.v_t else { return DVector::zeros(unknowns) };
+    let start = generic(unknowns, 1);
+    let free = svd.singular_values.iter().zip(rows.row_iter());
+    let free = free.filter(|(value, _)| **value <= ZERO * largest);
+    let sum = free.fold(DVector::zeros(unknowns), |sum, (_, row)| {
+        let direction = row.transpose();
+        sum + &direction * direction.dot(&start)
+    });
     let least = ZERO * sum.amax();
     sum.map(|entry| if entry.abs() <= least { 0.0 } else { entry })
 }
@@ -60,16 +63,7 @@ pub(super) fn cocycle(algebra: &StructureTable, matrices: &[DMatrix<f64>]) -> Op
             equations[(row, m * d + i)] += matrices.get(j)?[(k, m)];
         }
     }
-    let svd = equations.svd(false, true);
-    let largest = svd.singular_values.max();
-    let (rows, start) = (svd.v_t?, generic(d * d, 1));
-    let free = svd.singular_values.iter().zip(rows.row_iter());
-    let free = free.filter(|(value, _)| **value <= ZERO * largest.max(f64::MIN_POSITIVE));
-    let sum = free.fold(DVector::zeros(d * d), |sum, (_, row)| {
-        let direction = row.transpose();
-        sum + &direction * direction.dot(&start)
-    });
-    Some(DMatrix::from_row_slice(d, d, without_rounding(sum).as_slice()))
+    Some(DMatrix::from_row_slice(d, d, solution(equations).as_slice()))
 }
 
 #[cfg(test)]

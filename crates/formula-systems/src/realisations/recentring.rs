@@ -1,7 +1,7 @@
 //! Points near the origin on the fibres of quadratic momenta: [`QuadraticMomenta::recentred`].
 
 use super::quadratic_momenta::QuadraticMomenta;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 /// The number of iterations that move z, each of which halves the remaining distance along the fibre.
 const PULLS: usize = 8;
@@ -9,8 +9,8 @@ const PULLS: usize = 8;
 /// The number of iterations that only restore J(z), each of which squares its error.
 const CORRECTIONS: usize = 6;
 
-/// The number added to the diagonal of the matrix of the iteration, whose entries there are 1. J may reach only a part of 𝔤∗.
-const DAMPING: f64 = 1e-12;
+/// The singular value of the rows, which have the length 1, below which J has no differential. J may reach only a part of 𝔤∗.
+const SINGULAR: f64 = 1e-14;
 
 /// The part of |z|² that is left where a move is worthwhile: four fifths of the length.
 const SHORTER: f64 = 0.64;
@@ -25,9 +25,13 @@ impl QuadraticMomenta {
     /// iteration minimises |z|² at constant J(z), by the changes
     ///
     /// ```text
-    /// δz = −τ z + Aᵀ (A Aᵀ)⁻¹ (τ A z + μ − J(z)),    A = T_z J,  A z = 2 J(z),  τ = ½, then 0
+    /// δz = −τ z + A⁺ (τ A z + μ − J(z)),    A = T_z J,  A z = 2 J(z),  A⁺ the pseudo-inverse,  τ = ½, then 0
     /// ```
     pub(super) fn recentred(&self, z: &[f64]) -> Option<Vec<f64>> {
+        // The singular values of what is not finite are looked for without end.
+        if !z.iter().all(|x| x.is_finite()) {
+            return None;
+        }
         let start = DVector::from_column_slice(z);
         let mu = self.values_at(&start);
         let mut moved = start.clone();
@@ -41,7 +45,7 @@ impl QuadraticMomenta {
         let change = self.values_at(&moved) - mu;
         let is_same =
             change.iter().zip(&self.terms_at(&start)).all(|(x, y)| x.abs() <= ROUNDINGS * y);
-        let is_shorter = moved.norm_squared() <= SHORTER * start.norm_squared();
+        let is_shorter = moved.norm_squared() < SHORTER * start.norm_squared();
         (is_same && is_shorter).then(|| moved.as_slice().to_vec())
     }
 
@@ -56,10 +60,11 @@ impl QuadraticMomenta {
                 *right /= length;
             }
         }
-        let gram =
-            &rows * rows.transpose() + DMatrix::identity(rows.nrows(), rows.nrows()) * DAMPING;
-        let multipliers = gram.cholesky()?.solve(&right);
-        Some(z * (1.0 - pull) + rows.tr_mul(&multipliers))
+        if !rows.iter().all(|x| x.is_finite()) {
+            return None;
+        }
+        let change = rows.svd(true, true).solve(&right, SINGULAR).ok()?;
+        Some(z * (1.0 - pull) + change)
     }
 
     /// Returns the momenta J(z).
@@ -108,6 +113,16 @@ mod tests {
             for (x, y) in found.iter().zip(&mu) {
                 assert!((x - y).abs() < 1e-14 * unit, "{name}: {found:?}");
             }
+        }
+    }
+
+    /// The origin is the shortest point that there is, and what is not finite has no momenta.
+    #[test]
+    fn no_point_is_shorter_than_the_origin_or_than_what_is_not_finite() {
+        let algebra = SystemAlgebra::named("sl(2)").unwrap();
+        let momenta = QuadraticMomenta::clebsch(algebra.table()).unwrap();
+        for entry in [0.0, f64::NAN, f64::INFINITY, f64::MAX] {
+            assert_eq!(momenta.recentred(&vec![entry; momenta.size()]), None, "{entry}");
         }
     }
 }

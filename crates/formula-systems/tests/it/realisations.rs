@@ -4,7 +4,7 @@ use crate::support::{distance, end, system};
 use collective_integrators::{AnyState, Integrator, Start};
 use heavytop::methods::{Formulation, SchemeName};
 use lie_poisson_formula_systems::{FormulaSystem, QuadraticMomenta, SystemAlgebra, Verdict};
-use lie_poisson_formulas::Parameters;
+use lie_poisson_formulas::{Coordinates, Parameters};
 use nalgebra::DMatrix;
 
 fn named(text: &str) -> SystemAlgebra {
@@ -250,6 +250,49 @@ fn starts_with_zeros_are_followed() {
             distance(&collective, &direct) < 1e-10,
             "{text} {values:?}: {collective:?} {direct:?}"
         );
+    }
+}
+
+/// Along a motion z grows while J(z) keeps its size, unless it is moved back along its fibre: on an algebra whose adjoint
+/// representation does not see the centre and whose momenta grow, and on one of eight dimensions.
+#[test]
+fn points_stay_near_the_origins_of_their_fibres() {
+    let nilpotent_and_scaled = {
+        let names = Coordinates::scalars(["a", "b", "c", "d", "s"]).unwrap();
+        let brackets = [("a, s", "a"), ("b, s", "a + b"), ("c, s", "b + c"), ("d, s", "c + d")];
+        SystemAlgebra::of_brackets(names, brackets, &Parameters::new()).unwrap()
+    };
+    for algebra in [nilpotent_and_scaled, named("sl(3,R)")] {
+        let names: Vec<String> = algebra.coordinates().names().collect();
+        let squares = names.iter().enumerate().map(|(i, name)| format!("{name}^2/{}", i + 2));
+        let body = system(algebra, &squares.collect::<Vec<_>>().join(" + "));
+        let start: Vec<f64> = (0..names.len()).map(|i| 0.5 - 0.1 * i as f64).collect();
+        let method = body.algebra().method(Formulation::Collective, SchemeName::Gauss(4), 0.0);
+        let integrator = body.integrator(&method.unwrap(), &start).unwrap();
+        let length = |z: &AnyState| z.as_slice().iter().map(|x| x * x).sum::<f64>().sqrt();
+        let growth = |is_pinned: bool| {
+            let first = integrator.start(&AnyState::from_slice(&start)).unwrap();
+            let mut workspace = Integrator::<f64>::workspace(&integrator);
+            if is_pinned {
+                Integrator::<f64>::pin(&integrator, &mut workspace);
+            }
+            let (mut z, mut longest) = (first.clone(), 0.0_f64);
+            for _ in 0..500 {
+                match integrator.step(&z, 0.1, &mut workspace) {
+                    Ok(step) => z = step.point,
+                    // J(z) has lost its digits.
+                    Err(error) => {
+                        assert!(is_pinned, "{names:?}: {error}");
+                        break;
+                    }
+                }
+                longest = longest.max(length(&z));
+            }
+            longest / length(&first)
+        };
+        let (moved, pinned) = (growth(false), growth(true));
+        // A point is moved when it has grown by a half; the shortest one itself varies with the momentum.
+        assert!(moved < 4.0 && pinned > 20.0, "{names:?}: {moved} {pinned}");
     }
 }
 

@@ -63,6 +63,7 @@ fn require_orders_and_casimirs(algebras: &[&str]) {
     let so4 = "L12^2 + L13^2/2 + L24^2/3 + cos(2*t)*L34";
     let se3 = "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2 + (1 + cos(2*t)/2)*Gamma1";
     let se2 = "Pi^2/2 + cos(2*t)*Gamma1";
+    let mut tried = 0;
     for (algebra, h, texts, start) in [
         ("so(3)", SHAKEN, texts.clone(), vec![0.6, -0.5, 1.2]),
         (
@@ -77,6 +78,7 @@ fn require_orders_and_casimirs(algebras: &[&str]) {
         if !algebras.contains(&algebra) {
             continue;
         }
+        tried += 1;
         let end = |scheme: &str, steps: u32| {
             let step = 2.0 / f64::from(steps);
             let system = open(algebra, h, &texts, step).unwrap();
@@ -100,6 +102,7 @@ fn require_orders_and_casimirs(algebras: &[&str]) {
             assert!((control - before).abs() > 1e-6, "{algebra} {casimir}");
         }
     }
+    assert_eq!(tried, algebras.len());
 }
 
 #[test]
