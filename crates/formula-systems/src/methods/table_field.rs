@@ -23,11 +23,15 @@ impl<T: Real> VectorField<T> for TableField {
     #[cfg_attr(optimised, inline(always))]
     fn at_into(&self, mu: &AnyState<T>, rate: &mut AnyState<T>) {
         let (mu, rate) = (mu.as_slice(), rate.as_mut_slice());
-        let at = |i: usize| mu[i];
-        self.hamiltonian.with_differential(mu.len(), at, |xi| match xi.len() == rate.len() {
-            true => self.table.coadjoint(xi, mu, rate),
-            false => rate.fill(T::from_f64(f64::NAN)),
-        });
+        self.hamiltonian.with_differential(
+            mu.len(),
+            |i| mu[i],
+            #[cfg_attr(optimised, inline(always))]
+            |xi| match xi.len() == rate.len() {
+                true => self.table.coadjoint(xi, mu, rate),
+                false => rate.fill(T::from_f64(f64::NAN)),
+            },
+        );
     }
 
     /// Returns `ad∗_η μ` + `ad∗_ξ v` with η = D²h(μ)·v, as the derivative of a product of dual numbers.

@@ -2,25 +2,22 @@
 
 use crate::algebras::family::Family;
 use crate::algebras::system_algebra::SystemAlgebra;
-use crate::realisations::quadratic_momenta::QuadraticMomenta;
+use crate::realisations::quadratic_momenta::{QuadraticMomenta, Term};
 
-/// An entry (a, i, j, value) of the matrix `S_a`.
-type Entry = (usize, usize, usize, f64);
-
-/// The entries on and above the diagonal of ζ†σ_a ζ/4 as forms of the real and imaginary parts (x₁, x₂, y₁, y₂) of a spinor ζ.
-const SPINOR: [Entry; 8] = [
+/// The terms of ζ†σ_a ζ/4, by the real and imaginary parts (x₁, x₂, y₁, y₂) of a spinor ζ.
+const SPINOR: [Term; 8] = [
     (0, 0, 1, 0.5),
     (0, 2, 3, 0.5),
     (1, 0, 3, 0.5),
     (1, 1, 2, -0.5),
-    (2, 0, 0, 0.5),
-    (2, 2, 2, 0.5),
-    (2, 1, 1, -0.5),
-    (2, 3, 3, -0.5),
+    (2, 0, 0, 0.25),
+    (2, 2, 2, 0.25),
+    (2, 1, 1, -0.25),
+    (2, 3, 3, -0.25),
 ];
 
 /// The entries of ζ ↦ −(i/2)σ_a ζ as real matrices of (x₁, x₂, y₁, y₂).
-const TURN: [Entry; 12] = [
+const TURN: [Term; 12] = [
     (0, 0, 3, 0.5),
     (0, 1, 2, 0.5),
     (0, 2, 1, -0.5),
@@ -35,20 +32,15 @@ const TURN: [Entry; 12] = [
     (2, 3, 1, 0.5),
 ];
 
-/// Returns both entries of a symmetric matrix of one on or above its diagonal.
-fn mirrored((a, i, j, value): Entry) -> impl Iterator<Item = Entry> {
-    core::iter::once((a, i, j, value)).chain((i != j).then_some((a, j, i, value)))
-}
-
 /// Returns the momenta J_a = ζ†σ_a ζ/4 of a spinor ζ = q + ip for each so(3) of an algebra: the Hopf map, up to the units of ζ.
 fn of_rotations(count: usize) -> QuadraticMomenta {
     let freedoms = 2 * count;
     let place = |spin: usize, i: usize| 2 * spin + i % 2 + if i < 2 { 0 } else { freedoms };
-    let entries = (0..count).flat_map(|spin| {
+    let terms = (0..count).flat_map(|spin| {
         let moved = move |(a, i, j, value)| (3 * spin + a, place(spin, i), place(spin, j), value);
-        SPINOR.into_iter().map(moved).flat_map(mirrored)
+        SPINOR.into_iter().map(moved)
     });
-    QuadraticMomenta::of_entries(3 * count, freedoms, entries.collect())
+    QuadraticMomenta::of_terms(3 * count, freedoms, terms.collect())
 }
 
 /// Returns the momenta of se(3)∗ on T∗C²: Π_a = p·(−(i/2)σ_a q) and Γ_a = q†σ_a q/4.
@@ -57,7 +49,7 @@ fn of_rotations(count: usize) -> QuadraticMomenta {
 fn of_motions() -> QuadraticMomenta {
     let turns = TURN.into_iter().map(|(a, i, j, value)| (a, j, i + 4, value));
     let verticals = SPINOR.into_iter().map(|(a, i, j, value)| (a + 3, i, j, value));
-    QuadraticMomenta::of_entries(6, 4, turns.chain(verticals).flat_map(mirrored).collect())
+    QuadraticMomenta::of_terms(6, 4, turns.chain(verticals).collect())
 }
 
 impl QuadraticMomenta {

@@ -5,7 +5,7 @@ use collective_integrators::{AnyState, Integrator, Start, Step, StepError, Vecto
 use lie_poisson::{Real, State};
 use lie_poisson_formulas::Formula;
 use momentum_map::LiftError;
-use smallvec::{SmallVec, smallvec};
+use smallvec::SmallVec;
 use std::sync::Arc;
 
 /// The number of momenta that need no storage on the heap.
@@ -29,14 +29,14 @@ impl<T: Real> VectorField<T> for RealisedField {
 
     #[cfg_attr(optimised, inline(always))]
     fn at_into(&self, z: &AnyState<T>, value: &mut AnyState<T>) {
-        let mut mu: SmallVec<[T; FEW]> = smallvec![T::zero(); self.momenta.count()];
+        let mut mu = SmallVec::<[T; FEW]>::new();
+        mu.resize(self.momenta.count(), T::zero());
         self.momenta.values(z.as_slice(), &mut mu);
         self.hamiltonian.with_differential(
             mu.len(),
             |i| mu[i],
-            |xi| {
-                self.momenta.generator(xi, z.as_slice(), value.as_mut_slice());
-            },
+            #[cfg_attr(optimised, inline(always))]
+            |xi| self.momenta.generator(xi, z.as_slice(), value.as_mut_slice()),
         );
     }
 }
@@ -60,7 +60,8 @@ const GROWN: f64 = 2.25;
 
 impl<I> RealisedCollective<I> {
     fn momentum_of<T: Real>(&self, z: &AnyState<T>) -> AnyState<T> {
-        let mut mu: SmallVec<[T; FEW]> = smallvec![T::zero(); self.momenta.count()];
+        let mut mu = SmallVec::<[T; FEW]>::new();
+        mu.resize(self.momenta.count(), T::zero());
         self.momenta.values(z.as_slice(), &mut mu);
         AnyState::from_slice(&mu)
     }

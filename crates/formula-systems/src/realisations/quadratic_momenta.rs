@@ -45,9 +45,12 @@ pub struct QuadraticMomenta {
     freedoms: usize,
     /// The number of momenta.
     count: usize,
-    /// The entries of the matrices S_a that are not zero: a, row, column, value, in this order.
-    entries: Vec<(usize, usize, usize, f64)>,
+    /// The terms of the momenta, in the order of their numbers.
+    terms: Vec<Term>,
 }
+
+/// The numbers a, i ≤ j and the coefficient of the term value z_i z_j of a momentum J_a.
+pub(crate) type Term = (usize, usize, usize, f64);
 
 /// Returns matrices by their rows.
 ///
@@ -86,12 +89,15 @@ impl QuadraticMomenta {
                 return Err(wrong(problem));
             }
         }
-        let entries = forms.iter().enumerate().flat_map(|(a, form)| {
-            let places = (0..size).flat_map(move |i| (0..size).map(move |j| (i, j)));
-            places.map(move |(i, j)| (a, i, j, 0.5 * (form[(i, j)] + form[(j, i)])))
+        let terms = forms.iter().enumerate().flat_map(|(a, form)| {
+            let places = (0..size).flat_map(move |i| (i..size).map(move |j| (i, j)));
+            places.map(move |(i, j)| match i == j {
+                true => (a, i, i, 0.5 * form[(i, i)]),
+                false => (a, i, j, 0.5 * (form[(i, j)] + form[(j, i)])),
+            })
         });
-        let entries = entries.filter(|(.., value)| *value != 0.0).collect();
-        Ok(Self { freedoms: size / 2, count: forms.len(), entries })
+        let terms = terms.filter(|(.., value)| *value != 0.0).collect();
+        Ok(Self { freedoms: size / 2, count: forms.len(), terms })
     }
 
     /// Creates the momenta J_a = p·ρ_a q of the matrices of a representation on Rᵐ.
@@ -100,14 +106,7 @@ impl QuadraticMomenta {
     /// Returns [`FormulaSystemError::Realisation`] if there is no matrix, or if one is not square, has another size than the
     /// first, or an entry that is not finite.
     pub fn of_representation(matrices: &[DMatrix<f64>]) -> Result<Self, FormulaSystemError> {
-        let m = sizes(matrices)?;
-        let form = |rho: &DMatrix<f64>| {
-            let mut form = DMatrix::zeros(2 * m, 2 * m);
-            form.view_mut((m, 0), (m, m)).copy_from(rho);
-            form.view_mut((0, m), (m, m)).copy_from(&rho.transpose());
-            form
-        };
-        Self::new(matrices.iter().map(form).collect())
+        Self::of_copies(matrices, 1)
     }
 
     /// Creates the momenta of matrices by rows: of those of a representation, or of the forms S_a.
@@ -140,27 +139,22 @@ impl QuadraticMomenta {
     ) -> Result<Self, FormulaSystemError> {
         let m = sizes(matrices)?;
         let freedoms = copies * m;
-        let mut entries = Vec::new();
+        let mut terms = Vec::new();
         for (a, matrix) in matrices.iter().enumerate() {
             let places = (0..m).flat_map(|i| (0..m).map(move |j| (i, j)));
             for (i, j) in places.filter(|place| matrix[*place] != 0.0) {
                 for first in (0..copies).map(|copy| copy * m) {
-                    let (p, q) = (freedoms + first + i, first + j);
-                    entries.extend([(a, p, q, matrix[(i, j)]), (a, q, p, matrix[(i, j)])]);
+                    terms.push((a, first + j, freedoms + first + i, matrix[(i, j)]));
                 }
             }
         }
-        Ok(Self::of_entries(matrices.len(), freedoms, entries))
+        Ok(Self::of_terms(matrices.len(), freedoms, terms))
     }
 
-    /// Creates so many momenta of the entries (a, i, j, value) of symmetric matrices `S_a`.
-    pub(crate) fn of_entries(
-        count: usize,
-        freedoms: usize,
-        mut entries: Vec<(usize, usize, usize, f64)>,
-    ) -> Self {
-        entries.sort_unstable_by_key(|&(a, i, j, _)| (a, i, j));
-        Self { freedoms, count, entries }
+    /// Creates so many momenta of their terms.
+    pub(crate) fn of_terms(count: usize, freedoms: usize, mut terms: Vec<Term>) -> Self {
+        terms.sort_unstable_by_key(|&(a, i, j, _)| (a, i, j));
+        Self { freedoms, count, terms }
     }
 
     /// Returns the number 2m of coordinates of z.
@@ -175,17 +169,18 @@ impl QuadraticMomenta {
         self.count
     }
 
-    /// Returns the entries (a, row, column, value) of the matrices S_a that are not zero.
-    pub(super) fn entries(&self) -> &[(usize, usize, usize, f64)] {
-        &self.entries
+    /// Returns the terms of the momenta.
+    pub(super) fn terms(&self) -> &[Term] {
+        &self.terms
     }
 
     /// Returns the matrices S_a.
     pub(super) fn forms(&self) -> Vec<DMatrix<f64>> {
         let mut forms = vec![DMatrix::zeros(self.size(), self.size()); self.count];
-        for &(a, i, j, value) in &self.entries {
+        for &(a, i, j, value) in &self.terms {
             if let Some(form) = forms.get_mut(a) {
-                form[(i, j)] = value;
+                form[(i, j)] += value;
+                form[(j, i)] += value;
             }
         }
         forms
@@ -194,16 +189,20 @@ impl QuadraticMomenta {
     /// Returns the matrix with the rows S_a z.
     pub(super) fn rows(&self, z: &DVector<f64>) -> DMatrix<f64> {
         let mut rows = DMatrix::zeros(self.count, self.size());
-        self.entries.iter().for_each(|&(a, i, j, value)| rows[(a, i)] += value * z[j]);
+        for &(a, i, j, value) in &self.terms {
+            rows[(a, i)] += value * z[j];
+            rows[(a, j)] += value * z[i];
+        }
         rows
     }
 
     /// Returns the largest entry of each matrix S_a.
     pub(super) fn largest(&self) -> Vec<f64> {
         let mut largest = vec![0.0_f64; self.count];
-        for &(a, .., value) in &self.entries {
+        for &(a, i, j, value) in &self.terms {
+            let entry = if i == j { 2.0 * value } else { value };
             if let Some(most) = largest.get_mut(a) {
-                *most = most.max(value.abs());
+                *most = most.max(entry.abs());
             }
         }
         largest
@@ -213,9 +212,9 @@ impl QuadraticMomenta {
     #[cfg_attr(optimised, inline(always))]
     pub fn values<T: Real>(&self, z: &[T], momenta: &mut [T]) {
         momenta.fill(T::zero());
-        for &(a, i, j, value) in &self.entries {
+        for &(a, i, j, value) in &self.terms {
             if let (Some(x), Some(y), Some(momentum)) = (z.get(i), z.get(j), momenta.get_mut(a)) {
-                *momentum += *x * *y * (0.5 * value);
+                *momentum += *x * *y * value;
             }
         }
     }
@@ -225,13 +224,15 @@ impl QuadraticMomenta {
     pub(crate) fn generator<T: Real>(&self, xi: &[T], z: &[T], vector: &mut [T]) {
         vector.fill(T::zero());
         let m = self.freedoms;
-        for &(a, i, j, value) in &self.entries {
-            let (Some(xi), Some(y)) = (xi.get(a), z.get(j)) else { continue };
-            let slope = *xi * *y * value;
-            match i < m {
-                true => vector[m + i] -= slope,
-                false => vector[i - m] += slope,
-            }
+        let mut add = |i: usize, slope: T| match i < m {
+            true => vector[m + i] -= slope,
+            false => vector[i - m] += slope,
+        };
+        for &(a, i, j, value) in &self.terms {
+            let (Some(xi), Some(x), Some(y)) = (xi.get(a), z.get(i), z.get(j)) else { continue };
+            let xi = *xi * value;
+            add(i, xi * *y);
+            add(j, xi * *x);
         }
     }
 }

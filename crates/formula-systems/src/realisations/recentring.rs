@@ -77,8 +77,8 @@ impl QuadraticMomenta {
     /// Returns the sums of the sizes of the terms of J(z).
     fn terms_at(&self, z: &DVector<f64>) -> DVector<f64> {
         let mut terms = DVector::zeros(self.count());
-        for &(a, i, j, value) in self.entries() {
-            terms[a] += (0.5 * value * z[i] * z[j]).abs();
+        for &(a, i, j, value) in self.terms() {
+            terms[a] += (value * z[i] * z[j]).abs();
         }
         terms
     }

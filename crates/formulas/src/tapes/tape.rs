@@ -124,8 +124,9 @@ impl Tape {
         match affine.filter(|_| self.instructions.is_empty() && self.inputs == counts.0) {
             Some(affine) => {
                 let mut all = SmallVec::<[T; FEW]>::new();
-                for (i, affine) in affine.iter().enumerate() {
-                    all.push(affine.at(own(i)));
+                all.resize(affine.len(), T::zero());
+                for (i, (sum, affine)) in all.iter_mut().zip(affine).enumerate() {
+                    *sum = affine.at(own(i));
                 }
                 for (sum, others) in all.iter_mut().zip(&*self.others) {
                     *sum = others.added_to(*sum, &input);

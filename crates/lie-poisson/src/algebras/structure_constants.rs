@@ -62,15 +62,14 @@ impl<const N: usize> LieAlgebra for StructureConstants<N> {
     }
 
     /// Returns ad∗_ξ μ, with the coordinates `Σ c[i][j][k] ξ_i μ_k`.
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         xi: &SVector<T, N>,
         mu: &Covector<SVector<T, N>>,
     ) -> Covector<SVector<T, N>> {
-        let mut rate = SVector::zeros();
-        for &StructureEntry { i, j, k, value } in self.0.entries() {
-            rate[j] += xi[i] * mu.0[k] * value;
-        }
+        let mut rate = SVector::<T, N>::zeros();
+        self.0.coadjoint(xi.as_slice(), mu.0.as_slice(), rate.as_mut_slice());
         Covector(rate)
     }
 }

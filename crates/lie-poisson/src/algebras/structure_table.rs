@@ -100,6 +100,9 @@ pub struct StructureTable {
     dimension: usize,
     /// The constants that are not zero, in the order of their indices.
     entries: Arc<[StructureEntry]>,
+    /// Those of them with i < j, in the order of k, i, j. Neighbours with the same k seldom have another index in common, so that
+    /// a processor adds several terms of ad∗_ξ μ at once.
+    upper: Arc<[StructureEntry]>,
 }
 
 impl StructureTable {
@@ -125,7 +128,10 @@ impl StructureTable {
         let mut entries: Vec<StructureEntry> = nonzero.collect();
         entries.sort_by_key(place);
         entries.dedup();
-        let table = Self { dimension, entries: entries.into() };
+        let upper = entries.iter().copied().filter(|entry| entry.i < entry.j);
+        let mut upper: Vec<StructureEntry> = upper.collect();
+        upper.sort_by_key(|entry| (entry.k, entry.i, entry.j));
+        let table = Self { dimension, entries: entries.into(), upper: upper.into() };
         table.check()?;
         Ok(table)
     }
@@ -153,9 +159,14 @@ impl StructureTable {
     #[cfg_attr(optimised, inline(always))]
     pub fn coadjoint<T: Real>(&self, xi: &[T], mu: &[T], rate: &mut [T]) {
         rate.fill(T::zero());
-        for &StructureEntry { i, j, k, value } in &*self.entries {
-            if let (Some(xi), Some(mu), Some(rate)) = (xi.get(i), mu.get(k), rate.get_mut(j)) {
-                *rate += *xi * *mu * value;
+        for &StructureEntry { i, j, k, value } in &*self.upper {
+            let Some(mu) = mu.get(k) else { continue };
+            let term = *mu * value;
+            if let (Some(xi), Some(rate)) = (xi.get(i), rate.get_mut(j)) {
+                *rate += *xi * term;
+            }
+            if let (Some(xi), Some(rate)) = (xi.get(j), rate.get_mut(i)) {
+                *rate -= *xi * term;
             }
         }
     }
