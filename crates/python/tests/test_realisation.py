@@ -5,6 +5,7 @@ import pickle
 import numpy as np
 import pytest
 
+import heavytop
 from heavytop import System
 
 BODY = "(mu1^2 + mu2^2/2 + mu3^2/4)/2"
@@ -39,6 +40,21 @@ def test_quadratic_momenta_are_a_realisation():
     assert run.deviation("c1") < 1e-13 and run.deviation("h") < 1e-8
     with pytest.raises(ValueError, match="not in the image"):
         system.solve([1.0, 2.0, 1.0], step=0.01, end=1)
+    # Among many, it is the only one that fails.
+    ends = heavytop.solve_many(system, np.array([[1.0, 2.0, 1.0], [0.36, 0.3, 0.25]]).T, step=0.01, end=2)
+    assert list(ends.failures) == [0] and "not in the image" in ends.failures[0]
+    assert np.array_equal(ends.y[:, 1], run.y[:, -1])
+
+
+def test_starts_without_a_lift_are_followed_among_those_with_one():
+    body = System("se(3)", "(Pi1^2/2 + Pi2^2/3 + Pi3^2)/2 + Gamma1")
+    starts = np.array([[1.0, 2.0, 3.0, 0.6, 0.0, 0.8], [1.0, 2.0, 3.0, 0.0, 0.0, 0.0], [2.0, 1.0, 0.0, 0.6, 0.0, 0.8]])
+    method = dict(step=0.05, end=2, formulation="reduced", scheme="gauss-4")
+    for order in ([0, 1, 2], [1, 0, 2]):
+        ends = heavytop.solve_many(body, starts[order].T, **method)
+        assert ends.success
+        for start, end in zip(starts[order], ends.y.T):
+            assert np.abs(body.solve(start, **method).y[:, -1] - end).max() < 1e-13
 
 
 def test_a_class_of_matrices_by_name_has_collective_methods():

@@ -3,10 +3,11 @@
 use super::integration::Integration;
 use crate::algebras::family::Family;
 use crate::error::FormulaSystemError;
+use crate::realisations::collective::{RealisedCollective, RealisedField};
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use collective_integrators::{
-    AnyIntegrator, AnyState, Collective, Direct, FieldInLanes, HamiltonianField, Scheme,
-    StagesInLanes, Start,
+    AnyIntegrator, AnyState, Collective, Composition, Direct, FieldInLanes, HamiltonianField,
+    RungeKutta, Scheme, StagesInLanes, Start,
 };
 use core::ops::RangeInclusive;
 use heavytop::SpinorRealisation;
@@ -20,6 +21,9 @@ const STAGES: RangeInclusive<u8> = 2..=8;
 
 /// An integrator, or `None` where the stages are computed one by one.
 type MadeInLanes = Result<Option<AnyIntegrator>, FormulaSystemError>;
+
+/// A scheme that is applied to the field on the space of momenta.
+type Along = StagesInLanes<Direct<Composition<RungeKutta>, RealisedField>>;
 
 impl Integration<'_> {
     /// Makes the integrator that evaluates the formula for several stages at once, which are in the lanes of a register. It is
@@ -43,6 +47,7 @@ impl Integration<'_> {
                 let collective = Collective::new(self.scheme()?, SpinorRealisation, hamiltonian);
                 Ok(Some(self.in_lanes(collective)))
             }
+            (Formulation::Collective, Family::ManyRotations) => self.spinors_in_lanes(),
             (Formulation::Direct, Family::Motions) => {
                 let space = LiePoisson::minus(Se3::default());
                 let hamiltonian = self.hamiltonian::<Se3>()?;
@@ -65,13 +70,29 @@ impl Integration<'_> {
         Ok(Some(self.in_lanes(Direct::new(self.scheme()?, self.completed_field::<N>()?))))
     }
 
+    /// Applies the scheme along the momenta of spinors. Their steps descend, and need no guard.
+    fn spinors_in_lanes(&self) -> MadeInLanes {
+        let momenta = Arc::new(QuadraticMomenta::of_rotations(self.start.len() / 3));
+        let (motion, point) = (self.along(&momenta, true)?, origin(&momenta));
+        let collective = RealisedCollective { motion, momenta };
+        Ok(Some(AnyIntegrator::of_states(collective, &point, &self.momentum_of_any_size())))
+    }
+
     /// Applies the scheme along quadratic momenta.
     fn realised_in_lanes(&self, momenta: Arc<QuadraticMomenta>, is_plus: bool) -> MadeInLanes {
-        let (scheme, field) = (self.scheme()?, self.realised_field(&momenta, is_plus)?);
-        let (order, point) = (scheme.order(), AnyState::from_slice(&vec![0.0; momenta.size()]));
-        let motion = StagesInLanes::widest(Direct::new(scheme, field));
-        let guarded = self.guarded(motion, momenta, order)?;
+        let (motion, point) = (self.along(&momenta, is_plus)?, origin(&momenta));
+        let guarded = self.guarded(motion, momenta, self.scheme()?.order())?;
         Ok(Some(AnyIntegrator::of_states(guarded, &point, &self.momentum_of_any_size())))
+    }
+
+    /// Applies the scheme to the field on the space of the momenta.
+    fn along(
+        &self,
+        momenta: &Arc<QuadraticMomenta>,
+        is_plus: bool,
+    ) -> Result<Along, FormulaSystemError> {
+        let field = self.realised_field(momenta, is_plus)?;
+        Ok(StagesInLanes::widest(Direct::new(self.scheme()?, field)))
     }
 
     /// Computes the stages of an integrator side by side, and hides its type.
@@ -81,4 +102,9 @@ impl Integration<'_> {
     {
         AnyIntegrator::new(StagesInLanes::widest(integrator), self.system.algebra().dimension())
     }
+}
+
+/// Returns the origin of the space of momenta.
+fn origin(momenta: &QuadraticMomenta) -> AnyState {
+    AnyState::from_slice(&vec![0.0; momenta.size()])
 }

@@ -4,7 +4,6 @@ pub(crate) mod named_inputs;
 pub(crate) mod open_names;
 pub(crate) mod open_terms;
 pub(crate) mod open_system;
-mod spinors;
 pub(crate) mod open_field;
 pub(crate) mod open_integrator;
 mod open_methods;

@@ -17,11 +17,8 @@ use std::sync::Arc;
 /// Any scheme, whose type is one: a step is a composition of one substep.
 type AnyScheme = Composition<RungeKutta>;
 
-/// A point of a realisation is replaced by a lift of its momentum every so many intervals, if it has grown along its fibre.
-const LIFTED_ANEW: f64 = 1024.0;
-
-/// The factor by which the square of a point may be larger than that of the lift of its momentum.
-const GROWN: f64 = 16.0;
+/// A point of a realisation is moved back along its fibre every so many intervals, if it has grown.
+const MOVED: f64 = 1024.0;
 
 /// A scheme applied to the field of an open system, on the momentum or upstairs.
 pub(super) struct OpenIntegrator {
@@ -87,21 +84,16 @@ impl OpenIntegrator {
         AnyState::from_slice(&mu)
     }
 
-    /// Replaces a point far along its fibre by a lift of its momentum. Steps descend, so that this changes no momentum but by
-    /// rounding; that it happens after a number of intervals keeps runs that are resumed to the bit.
-    fn lift_anew<T: Real>(&self, Pair(z, Pair(clock, _)): &mut OpenState<T>) {
+    /// Moves a point back along its fibre, which changes its momentum by rounding. That it happens after a number of intervals keeps
+    /// runs that are resumed to the bit.
+    fn move_back<T: Real>(&self, Pair(z, Pair(clock, _)): &mut OpenState<T>) {
         let Some((momenta, _)) = &self.momenta else { return };
-        if clock.y.as_f64().is_none_or(|clock| clock == 0.0 || clock % LIFTED_ANEW != 0.0) {
+        if clock.y.as_f64().is_none_or(|clock| clock == 0.0 || clock % MOVED != 0.0) {
             return;
         }
-        let numbers = |z: &AnyState<T>| -> Vec<f64> {
-            z.as_slice().iter().map(|x| x.as_f64().unwrap_or(f64::NAN)).collect()
-        };
-        let size = |z: &[f64]| z.iter().map(|x| x * x).sum::<f64>();
-        if let Ok(lift) = momenta.lift(&numbers(&self.momentum_of(z)))
-            && size(&numbers(z)) > GROWN * size(&lift)
-        {
-            z.set_coordinates(|i| T::from_f64(lift.get(i).copied().unwrap_or(f64::NAN)));
+        let numbers: Vec<f64> = z.as_slice().iter().filter_map(|x| x.as_f64()).collect();
+        if let Some(moved) = momenta.recentred(&numbers) {
+            z.set_coordinates(|i| T::from_f64(moved.get(i).copied().unwrap_or(f64::NAN)));
         }
     }
 }
@@ -123,7 +115,7 @@ impl<T: Real> Integrator<T> for OpenIntegrator {
         workspace: &mut Self::Workspace,
     ) -> Result<Step<OpenState<T>>, StepError> {
         let mut point = state.clone();
-        self.lift_anew(&mut point);
+        self.move_back(&mut point);
         let clock = point.1.0;
         let inputs = &self.system.terms().inputs;
         let OpenWorkspace { scheme, scratch } = workspace;
@@ -170,7 +162,7 @@ impl<T: Real> Integrator<T> for OpenIntegrator {
 impl Start for OpenIntegrator {
     fn start(&self, mu: &AnyState) -> Result<OpenState<f64>, LiftError> {
         let z = match &self.momenta {
-            Some((momenta, _)) => AnyState::from_slice(&momenta.lift(mu.as_slice())?),
+            Some((momenta, _)) => AnyState::from_slice(&momenta.short_lift(mu.as_slice())?),
             None => mu.clone(),
         };
         let path = self.system.terms().noise.as_ref().map_or(0, |noise| noise.path);

@@ -189,7 +189,7 @@ impl OpenSystem {
     /// Returns the momenta along which the collective formulation goes, and whether they are a Poisson map to the plus bracket.
     fn momenta(&self) -> Option<(Arc<QuadraticMomenta>, bool)> {
         let algebra = self.base().algebra();
-        let spinors = || Some((Arc::new(QuadraticMomenta::of_spinors(algebra)?), true));
+        let spinors = || Some((Arc::new(algebra.spinors()?), true));
         algebra.momenta().or_else(spinors)
     }
 

@@ -134,7 +134,6 @@ impl<I: Integrator<T, State = AnyState<T>>, T: Real> Integrator<T> for RealisedC
 
 impl<I: Integrator<State = AnyState>> Start for RealisedCollective<I> {
     fn start(&self, mu: &AnyState) -> Result<AnyState, LiftError> {
-        let lift = self.momenta.lift(mu.as_slice())?;
-        Ok(AnyState::from_slice(&self.momenta.recentred(&lift).unwrap_or(lift)))
+        Ok(AnyState::from_slice(&self.momenta.short_lift(mu.as_slice())?))
     }
 }

@@ -10,7 +10,7 @@ use crate::runs::following::MethodArgument;
 use crate::runs::interruption::until_interrupted;
 use collective_integrators::{AnyIntegrator, AnyState, CHECKPOINT, Integrator, Start};
 use core::sync::atomic::{AtomicBool, Ordering};
-use heavytop::methods::{Formulation, Method};
+use heavytop::methods::Method;
 use lie_poisson_formula_systems::{OpenSystem, OpenSystemError};
 use lie_poisson_runs::{Model, RunFailure, Schedule};
 use numpy::{PyArray2, PyReadonlyArray2};
@@ -18,8 +18,9 @@ use pyo3::{Bound, FromPyObject, PyRef, PyResult, Python, pyfunction};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSlice;
 
-/// The number of runs that share an integrator.
+/// The largest number of runs that share an integrator, and the number of such groups for each thread, if there are enough runs.
 const SHARED: usize = 64;
+const GROUPS: usize = 4;
 
 /// A system by formula, or one of arrays.
 #[derive(FromPyObject)]
@@ -44,13 +45,6 @@ impl AnySystem<'_> {
             Self::Formula(system) => system.method(method),
             Self::Arrays(arrays) => arrays.method(method),
         }
-    }
-
-    /// Returns whether the integrator depends on the start: there are two Clebsch maps.
-    fn is_by_clebsch_map(&self, method: &Method) -> bool {
-        let Self::Formula(system) = self else { return false };
-        method.formulation() == Formulation::Collective
-            && system.system.algebra().default_formulation() != Formulation::Collective
     }
 }
 
@@ -81,7 +75,7 @@ pub fn advance_system<'py>(
     let starts = states.as_array();
     let starts = starts.outer_iter().map(|row| model.start(&row.to_vec()).map_err(refused));
     let starts: Vec<Vec<f64>> = starts.collect::<PyResult<_>>()?;
-    let shared = if system.is_by_clebsch_map(&method) { 1 } else { SHARED };
+    let shared = starts.len().div_ceil(GROUPS * rayon::current_num_threads()).clamp(1, SHARED);
     let ends: Vec<Vec<End>> = until_interrupted(py, |stop| {
         let some = |(chunk, starts): (usize, &[Vec<f64>])| {
             let first = chunk * shared;
@@ -115,29 +109,46 @@ struct Ends<'a> {
 }
 
 impl Ends<'_> {
-    /// Follows the starts by the integrator of the first.
+    /// Follows the starts.
     fn all(&self, method: &Method) -> Vec<End> {
-        let first = self.starts.first().map(Vec::as_slice).unwrap_or_default();
-        match self.model.integrator(method, first) {
-            Ok(integrator) => {
-                let starts = (self.first..).zip(self.starts);
-                starts.map(|(member, start)| self.end(&integrator, start, member)).collect()
-            }
-            Err(error) => {
-                let failed = |start: &Vec<f64>| (start.clone(), Some(message(&error)));
-                self.starts.iter().map(failed).collect()
-            }
-        }
+        let mut shared = None;
+        let follow = |(member, start): (usize, &Vec<f64>)| {
+            let followed = self.follow(method, &mut shared, start, member);
+            followed.unwrap_or_else(|reason| (start.clone(), Some(reason)))
+        };
+        (self.first..).zip(self.starts).map(follow).collect()
     }
 
-    fn end(&self, integrator: &AnyIntegrator, start: &[f64], member: usize) -> End {
+    /// Follows a start by the shared integrator or, where that has no lift for it, by one of its own, which is shared from then on.
+    fn follow(
+        &self,
+        method: &Method,
+        shared: &mut Option<AnyIntegrator>,
+        start: &[f64],
+        member: usize,
+    ) -> Result<End, String> {
         let from = AnyState::from_slice(start);
-        let mut state = match integrator.start(&from) {
-            Ok(state) => state,
-            Err(error) => return (start.to_vec(), Some(message(&error))),
-        };
+        if let Some(integrator) = shared.as_ref()
+            && let Ok(state) = integrator.start(&from)
+        {
+            return Ok(self.end(integrator, state, start, member));
+        }
+        let own = self.model.integrator(method, start).map_err(|error| message(&error))?;
+        let state = own.start(&from).map_err(|error| message(&error))?;
+        Ok(self.end(shared.insert(own), state, start, member))
+    }
+
+    /// Follows the state of a start to the end.
+    fn end(
+        &self,
+        integrator: &AnyIntegrator,
+        mut state: AnyState,
+        start: &[f64],
+        member: usize,
+    ) -> End {
         // Each member has a path of the noise of its own.
         self.model.move_path(state.as_mut_slice(), member as u64);
+        let from = AnyState::from_slice(start);
         let mut run = integrator.trajectory_from(state, self.step).through(from);
         let (mut at, mut last) = (0.0, start.to_vec());
         // The first sample is the start.

@@ -1,7 +1,5 @@
 //! The momenta of spinors, for rotations and rigid motions.
 
-use crate::algebras::family::Family;
-use crate::algebras::system_algebra::SystemAlgebra;
 use crate::realisations::quadratic_momenta::{QuadraticMomenta, Term};
 
 /// The terms of ζ†σ_a ζ/4, by the real and imaginary parts (x₁, x₂, y₁, y₂) of a spinor ζ.
@@ -32,57 +30,47 @@ const TURN: [Term; 12] = [
     (2, 3, 1, 0.5),
 ];
 
-/// Returns the momenta J_a = ζ†σ_a ζ/4 of a spinor ζ = q + ip for each so(3) of an algebra: the Hopf map, up to the units of ζ.
-fn of_rotations(count: usize) -> QuadraticMomenta {
-    let freedoms = 2 * count;
-    let place = |spin: usize, i: usize| 2 * spin + i % 2 + if i < 2 { 0 } else { freedoms };
-    let terms = (0..count).flat_map(|spin| {
-        let moved = move |(a, i, j, value)| (3 * spin + a, place(spin, i), place(spin, j), value);
-        SPINOR.into_iter().map(moved)
-    });
-    QuadraticMomenta::of_terms(3 * count, freedoms, terms.collect())
-}
-
-/// Returns the momenta of se(3)∗ on T∗C²: Π_a = p·(−(i/2)σ_a q) and Γ_a = q†σ_a q/4.
-///
-/// Source: Ohsawa 2019, §3.2, up to the units of q.
-fn of_motions() -> QuadraticMomenta {
-    let turns = TURN.into_iter().map(|(a, i, j, value)| (a, j, i + 4, value));
-    let verticals = SPINOR.into_iter().map(|(a, i, j, value)| (a + 3, i, j, value));
-    QuadraticMomenta::of_terms(6, 4, turns.chain(verticals).collect())
-}
-
 impl QuadraticMomenta {
-    /// Returns the momenta by which [`FormulaSystem`](crate::FormulaSystem) follows rotations and rigid motions collectively, which
-    /// are a Poisson map to the plus bracket; `None` for other algebras.
-    pub(crate) fn of_spinors(algebra: &SystemAlgebra) -> Option<Self> {
-        match algebra.family {
-            Family::Rotations | Family::ManyRotations => {
-                Some(of_rotations(algebra.dimension() / 3))
-            }
-            Family::Motions => Some(of_motions()),
-            Family::Other => None,
-        }
+    /// Returns the momenta J_a = ζ†σ_a ζ/4 of so many spinors ζ = q + ip, on so many copies of so(3)∗: the Hopf map, up to the units
+    /// of ζ.
+    pub(crate) fn of_rotations(count: usize) -> Self {
+        let freedoms = 2 * count;
+        let place = |spin: usize, i: usize| 2 * spin + i % 2 + if i < 2 { 0 } else { freedoms };
+        let terms = (0..count).flat_map(|spin| {
+            let moved =
+                move |(a, i, j, value)| (3 * spin + a, place(spin, i), place(spin, j), value);
+            SPINOR.into_iter().map(moved)
+        });
+        Self::of_terms(3 * count, freedoms, terms.collect())
+    }
+
+    /// Returns the momenta of se(3)∗ on T∗C²: Π_a = p·(−(i/2)σ_a q) and Γ_a = q†σ_a q/4.
+    ///
+    /// Source: Ohsawa 2019, §3.2, up to the units of q.
+    pub(crate) fn of_motions() -> Self {
+        let turns = TURN.into_iter().map(|(a, i, j, value)| (a, j, i + 4, value));
+        let verticals = SPINOR.into_iter().map(|(a, i, j, value)| (a + 3, i, j, value));
+        Self::of_terms(6, 4, turns.chain(verticals).collect())
     }
 }
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use super::*;
+    use crate::algebras::system_algebra::SystemAlgebra;
     use crate::realisations::verdict::Verdict;
 
     #[test]
     fn they_are_poisson_maps_that_reach_all_orbits_and_whose_steps_descend() {
         for name in ["so(3)", "su(2)", "se(3)", "so(3)^3", "so(3) + su(2)"] {
             let algebra = SystemAlgebra::named(name).unwrap();
-            let momenta = QuadraticMomenta::of_spinors(&algebra).unwrap();
+            let momenta = algebra.spinors().unwrap();
             let verdict = momenta.verdict(algebra.table(), algebra.coordinates()).unwrap();
             let Verdict { is_plus, defect, rank, odd_powers } = verdict;
             assert!(is_plus && defect == 0.0 && rank == algebra.dimension(), "{name}: {verdict:?}");
             assert!(odd_powers < 1e-14, "{name}: {verdict:?}");
         }
-        assert_eq!(QuadraticMomenta::of_spinors(&SystemAlgebra::named("so(4)").unwrap()), None);
+        assert_eq!(SystemAlgebra::named("so(4)").unwrap().spinors(), None);
     }
 
     #[test]
@@ -102,7 +90,7 @@ mod tests {
         ];
         for (name, states) in states {
             let algebra = SystemAlgebra::named(name).unwrap();
-            let momenta = QuadraticMomenta::of_spinors(&algebra).unwrap();
+            let momenta = algebra.spinors().unwrap();
             for state in states {
                 for scale in [1e-30, 1.0, 1e30] {
                     let mu: Vec<f64> = state.iter().map(|x| x * scale).collect();

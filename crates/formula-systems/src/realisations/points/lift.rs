@@ -1,7 +1,7 @@
 //! Points with given quadratic momenta.
 
-use super::generic_point::generic;
-use super::quadratic_momenta::QuadraticMomenta;
+use crate::realisations::generic_point::generic;
+use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use momentum_map::LiftError;
 use nalgebra::DVector;
 
@@ -19,6 +19,19 @@ impl QuadraticMomenta {
     /// # Errors
     /// Returns [`LiftError`] if none is found.
     pub(crate) fn lift(&self, mu: &[f64]) -> Result<Vec<f64>, LiftError> {
+        let mut z = vec![0.0; self.size()];
+        for part in self.parts() {
+            part.write(&part.momenta.lift_of_part(&part.momenta_of(mu))?, &mut z);
+        }
+        // What is no part, since it is zero everywhere.
+        match mu.iter().zip(self.largest()).find(|(mu, largest)| **mu != 0.0 && *largest == 0.0) {
+            Some((mu, _)) => Err(not_reached(mu.abs())),
+            None => Ok(z),
+        }
+    }
+
+    /// Returns a point z with J(z) = μ of momenta that do not fall into parts.
+    fn lift_of_part(&self, mu: &[f64]) -> Result<Vec<f64>, LiftError> {
         // Each coordinate in the unit of its matrix. The size is that of the largest, whose square neither overflows nor
         // underflows.
         let weights: Vec<f64> = self.largest().into_iter().map(inverse).collect();
@@ -32,11 +45,7 @@ impl QuadraticMomenta {
         let found = (0..STARTS)
             .find_map(|start| self.newton(generic(self.size(), start + 1), &unit, &weights));
         let lifted = found.map(|z| z.iter().map(|x| x * size.sqrt()).collect());
-        lifted.ok_or(LiftError {
-            quantity: "μ",
-            value: size,
-            reason: "no point with this momentum was found: it is not in the image of the realisation",
-        })
+        lifted.ok_or_else(|| not_reached(size))
     }
 
     /// Solves w_a J_a(z) = μ_a with the weights w.
@@ -78,6 +87,12 @@ impl QuadraticMomenta {
         }
         None
     }
+}
+
+/// Returns the error for a momentum of a size.
+fn not_reached(value: f64) -> LiftError {
+    let reason = "no point with this momentum was found: it is not in the image of the realisation";
+    LiftError { quantity: "μ", value, reason }
 }
 
 /// Returns the reciprocal of a size, or 1 for zero.

@@ -1,7 +1,7 @@
 //! Cocycles of a Lie algebra: the derivations that scale its basis vectors, [`grading`], and those of any representation,
 //! [`cocycle`].
 
-use super::generic_point::generic;
+use crate::realisations::generic_point::generic;
 use lie_poisson::StructureTable;
 use nalgebra::{DMatrix, DVector};
 

@@ -1,8 +1,8 @@
 //! The Clebsch map of an algebra of any dimension: [`QuadraticMomenta::clebsch`].
 
 use super::cocycles::{cocycle, grading};
-use super::odd_powers::descends;
-use super::quadratic_momenta::QuadraticMomenta;
+use crate::realisations::odd_powers::descends;
+use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use lie_poisson::StructureTable;
 use nalgebra::DMatrix;
 

@@ -1,6 +1,7 @@
 //! Points near the origin on the fibres of quadratic momenta: [`QuadraticMomenta::recentred`].
 
-use super::quadratic_momenta::QuadraticMomenta;
+use crate::realisations::quadratic_momenta::QuadraticMomenta;
+use momentum_map::LiftError;
 use nalgebra::DVector;
 
 /// The number of iterations that move z, each of which halves the remaining distance along the fibre.
@@ -19,7 +20,16 @@ const SHORTER: f64 = 0.64;
 const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
 impl QuadraticMomenta {
-    /// Returns a point with the momenta of z that is shorter by a fifth or more, or `None` if none is found.
+    /// Returns a point z with J(z) = μ, the shortest on its fibre if that is found.
+    ///
+    /// # Errors
+    /// Returns [`LiftError`] if no point is found.
+    pub(crate) fn short_lift(&self, mu: &[f64]) -> Result<Vec<f64>, LiftError> {
+        let lift = self.lift(mu)?;
+        Ok(self.recentred(&lift).unwrap_or(lift))
+    }
+
+    /// Returns a point with the momenta of z some part of which is shorter by a fifth or more, or `None` if none is found.
     ///
     /// Along a motion z may grow by orders of magnitude while J(z) keeps its size, which then loses digits by cancellation. The
     /// iteration minimises |z|² at constant J(z), by the changes
@@ -27,7 +37,20 @@ impl QuadraticMomenta {
     /// ```text
     /// δz = −τ z + A⁺ (τ A z + μ − J(z)),    A = T_z J,  A z = 2 J(z),  A⁺ the pseudo-inverse,  τ = ½, then 0
     /// ```
-    pub(super) fn recentred(&self, z: &[f64]) -> Option<Vec<f64>> {
+    pub(crate) fn recentred(&self, z: &[f64]) -> Option<Vec<f64>> {
+        let mut moved = z.to_vec();
+        let mut is_moved = false;
+        for part in self.parts() {
+            if let Some(point) = part.momenta.recentred_part(&part.point_of(z)) {
+                part.write(&point, &mut moved);
+                is_moved = true;
+            }
+        }
+        is_moved.then_some(moved)
+    }
+
+    /// Returns the point of momenta that do not fall into parts.
+    fn recentred_part(&self, z: &[f64]) -> Option<Vec<f64>> {
         // The singular values of what is not finite are looked for without end.
         if !z.iter().all(|x| x.is_finite()) {
             return None;
@@ -97,8 +120,7 @@ mod tests {
             let algebra = SystemAlgebra::named(name).unwrap();
             let momenta = QuadraticMomenta::clebsch(algebra.table()).unwrap();
             let mu: Vec<f64> = [0.4, 0.3, -0.5].map(|x| x * unit).to_vec();
-            let lift = momenta.lift(&mu).unwrap();
-            let short = momenta.recentred(&lift).unwrap_or(lift);
+            let short = momenta.short_lift(&mu).unwrap();
             assert_eq!(momenta.recentred(&short), None, "{name}");
             let half = momenta.size() / 2;
             let stretched = short.iter().enumerate();

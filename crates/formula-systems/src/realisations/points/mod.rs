@@ -1,0 +1,5 @@
+//! Points with given momenta.
+
+mod parts;
+mod lift;
+mod recentring;
