@@ -18,7 +18,8 @@ type System = (&'static str, &'static str, &'static str, &'static [f64]);
 
 const TOP: [f64; 6] = [2.0, 3.0, 4.0, 0.5, 0.0, 0.75];
 
-const SYSTEMS: [System; 5] = [
+const SYSTEMS: [System; 6] = [
+    ("rigid body", "so(3)", "(Pi1^2 + Pi2^2/2 + Pi3^2/4)/2 + Pi1*Pi2/8", &[1.0, 2.0, 0.5]),
     ("Kovalevskaya", "se(3)", "(Pi1^2/2 + Pi2^2/2 + Pi3^2)/2 + Gamma1", &TOP),
     (
         "Kirchhoff",

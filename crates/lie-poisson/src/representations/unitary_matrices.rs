@@ -20,9 +20,10 @@ impl Representation for SU2OnC2 {
     }
 
     /// Returns the product of the matrix −(i/2) ξ·σ and v, without multiplying by zeros.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
-        let h = xi * T::from_f64(0.5);
+        let half = T::from_f64(0.5);
+        let h = Vector3::new(xi.x * half, xi.y * half, xi.z * half);
         let (a, b) = (v.x, v.y);
         Vector2::new(
             Complex {
@@ -47,20 +48,21 @@ impl Representation for SU2OnC2 {
     }
 
     /// Returns the diamond product `v ◇ α` = ½ Im (α∗σ₁v, α∗σ₂v, α∗σ₃v), with the Pauli matrices σ.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Vector2<Complex<T>>,
         alpha: &Covector<Vector2<Complex<T>>>,
     ) -> Covector<Vector3<T>> {
-        let product = |a: Complex<T>, v: Complex<T>| a.conj() * v;
-        let (above, below) = (product(alpha.0.x, v.y), product(alpha.0.y, v.x));
-        let twice = Vector3::new(
-            above.im + below.im,
-            below.re - above.re,
-            product(alpha.0.x, v.x).im - product(alpha.0.y, v.y).im,
-        );
-        Covector(twice * T::from_f64(0.5))
+        let (a, b, half) = (alpha.0.x, alpha.0.y, T::from_f64(0.5));
+        let above = [a.re * v.y.re + a.im * v.y.im, a.re * v.y.im - a.im * v.y.re];
+        let below = [b.re * v.x.re + b.im * v.x.im, b.re * v.x.im - b.im * v.x.re];
+        let turn = (a.re * v.x.im - a.im * v.x.re) - (b.re * v.y.im - b.im * v.y.re);
+        Covector(Vector3::new(
+            (above[1] + below[1]) * half,
+            (below[0] - above[0]) * half,
+            turn * half,
+        ))
     }
 }
 

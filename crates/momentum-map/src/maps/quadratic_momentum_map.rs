@@ -64,7 +64,7 @@ impl<R: SymplecticRepresentation> PoissonMap for QuadraticMomentumMap<R> {
         LiePoisson::new(self.representation.algebra(), self.side.lie_poisson_sign())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
         let twice = self.representation.diamond::<T>(z, &self.representation.flat::<T>(z));
         twice.scaled(T::from_f64(match self.side {
@@ -83,7 +83,7 @@ impl<R: SymplecticRepresentation> PoissonMap for QuadraticMomentumMap<R> {
         self.representation.flat::<T>(&self.generator::<T>(xi, z))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn generator<T: Real>(
         &self,
         xi: &TargetDifferential<Self, T>,

@@ -86,7 +86,7 @@ impl Representation for So3OnC2 {
         So3
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Vector2<Complex<T>>) -> Vector2<Complex<T>> {
         SU2OnC2.act(xi, v)
     }
@@ -100,7 +100,7 @@ impl Representation for So3OnC2 {
         SU2OnC2.transpose_act(xi, alpha)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Vector2<Complex<T>>,
@@ -125,7 +125,7 @@ macro_rules! unitary {
                 SymplecticComplexSpace::<$n>.hamiltonian_vector(&zero, alpha)
             }
 
-            #[inline]
+            #[cfg_attr(optimised, inline(always))]
             fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
                 SymplecticComplexSpace::<$n>.flat(x)
             }

@@ -20,11 +20,12 @@ use num_complex::Complex;
 /// ```
 #[cfg_attr(optimised, inline(always))]
 pub fn hopf_map<T: Real>(alpha: &Vector2<Complex<T>>) -> Vector3<T> {
-    let overlap = alpha.x.conj() * alpha.y;
+    let (a, b) = (alpha.x, alpha.y);
+    let overlap = Complex { re: a.re * b.re + a.im * b.im, im: a.re * b.im - a.im * b.re };
     Vector3::new(
         overlap.re + overlap.re,
         overlap.im + overlap.im,
-        alpha.x.norm_sqr() - alpha.y.norm_sqr(),
+        (a.re * a.re + a.im * a.im) - (b.re * b.re + b.im * b.im),
     )
 }
 
@@ -36,7 +37,7 @@ pub fn hopf_pull_back<T: Real>(
     gamma: &Vector3<T>,
     alpha: &Vector2<Complex<T>>,
 ) -> Vector2<Complex<T>> {
-    pauli(&(gamma + gamma), alpha)
+    pauli(&Vector3::new(gamma.x + gamma.x, gamma.y + gamma.y, gamma.z + gamma.z), alpha)
 }
 
 /// Returns (v·σ) χ with the Pauli matrices σ = (σ₁, σ₂, σ₃).

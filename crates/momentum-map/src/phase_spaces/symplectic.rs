@@ -55,8 +55,11 @@ impl<const N: usize> SymplecticSpace for SymplecticComplexSpace<N> {
     }
 
     /// Returns the covector i_x Ω, which is ix in coordinates.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn flat<T: Real>(&self, x: &SVector<Complex<T>, N>) -> Covector<SVector<Complex<T>, N>> {
-        Covector(x.map(|x| Complex { re: -x.im, im: x.re }))
+        Covector(x.map(
+            #[cfg_attr(optimised, inline(always))]
+            |x| Complex { re: -x.im, im: x.re },
+        ))
     }
 }
