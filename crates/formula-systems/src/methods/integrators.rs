@@ -46,8 +46,9 @@ impl FormulaSystem {
 
     /// Returns the fastest integrator of a method, for runs from a state. It makes the steps of
     /// [`tangent_integrator`](Self::tangent_integrator) up to rounding errors, on every processor with the same bits, and has
-    /// no tangent maps. The stages of Gauss's methods are in the lanes of a register, except for `reduced` on sums of so(3) and su(2). `reduced`,
-    /// which is the same map as `collective` on so(3), su(2) and se(3), takes the lift of `collective` where there is one.
+    /// no tangent maps. The stages of Gauss's methods are in the lanes of a register, except for `reduced` on sums of so(3) and
+    /// su(2). `reduced`, which is the same map as `collective` on so(3), su(2) and se(3), takes the lift of `collective` where there
+    /// is one.
     ///
     /// # Errors
     /// Returns the errors of [`tangent_integrator`](Self::tangent_integrator).

@@ -8,8 +8,8 @@ use momentum_map::LiftError;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// The number of momenta that need no storage on the heap.
-const FEW: usize = 64;
+/// The number of momenta that need no storage on the heap: those of an algebra of the largest dimension.
+const MOST: usize = 256;
 
 /// The field ż = X_(h∘J)(z).
 pub(crate) struct RealisedField {
@@ -29,7 +29,7 @@ impl<T: Real> VectorField<T> for RealisedField {
 
     #[cfg_attr(optimised, inline(always))]
     fn at_into(&self, z: &AnyState<T>, value: &mut AnyState<T>) {
-        let mut mu = SmallVec::<[T; FEW]>::new();
+        let mut mu = SmallVec::<[T; MOST]>::new();
         mu.resize(self.momenta.count(), T::zero());
         self.momenta.values(z.as_slice(), &mut mu);
         self.hamiltonian.with_differential(
@@ -60,7 +60,7 @@ const GROWN: f64 = 2.25;
 
 impl<I> RealisedCollective<I> {
     fn momentum_of<T: Real>(&self, z: &AnyState<T>) -> AnyState<T> {
-        let mut mu = SmallVec::<[T; FEW]>::new();
+        let mut mu = SmallVec::<[T; MOST]>::new();
         mu.resize(self.momenta.count(), T::zero());
         self.momenta.values(z.as_slice(), &mut mu);
         AnyState::from_slice(&mu)

@@ -2,7 +2,7 @@
 
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use momentum_map::LiftError;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 /// The number of iterations that move z, each of which halves the remaining distance along the fibre.
 const PULLS: usize = 8;
@@ -10,8 +10,14 @@ const PULLS: usize = 8;
 /// The number of iterations that only restore J(z), each of which squares its error.
 const CORRECTIONS: usize = 6;
 
+/// The number added to the diagonal of A Aᵀ, whose entries there are 1. J may reach only a part of 𝔤∗.
+const DAMPING: f64 = 1e-12;
+
 /// The singular value of the rows, which have the length 1, below which J has no differential. J may reach only a part of 𝔤∗.
 const SINGULAR: f64 = 1e-14;
+
+/// Returns A⁺ r for a matrix A with rows of the length 1.
+type PseudoInverse = fn(&DMatrix<f64>, &DVector<f64>) -> Option<DVector<f64>>;
 
 /// The part of |z|² that is left where a move is worthwhile: four fifths of the length.
 const SHORTER: f64 = 0.64;
@@ -41,7 +47,9 @@ impl QuadraticMomenta {
         let mut moved = z.to_vec();
         let mut is_moved = false;
         for part in self.parts() {
-            if let Some(point) = part.momenta.recentred_part(&part.point_of(z)) {
+            let point = part.point_of(z);
+            let ways: [PseudoInverse; 2] = [by_products, by_singular_values];
+            if let Some(point) = ways.iter().find_map(|way| part.momenta.pulled(&point, *way)) {
                 part.write(&point, &mut moved);
                 is_moved = true;
             }
@@ -50,7 +58,7 @@ impl QuadraticMomenta {
     }
 
     /// Returns the point of momenta that do not fall into parts.
-    fn recentred_part(&self, z: &[f64]) -> Option<Vec<f64>> {
+    fn pulled(&self, z: &[f64], pseudo_inverse: PseudoInverse) -> Option<Vec<f64>> {
         // The singular values of what is not finite are looked for without end.
         if !z.iter().all(|x| x.is_finite()) {
             return None;
@@ -60,7 +68,7 @@ impl QuadraticMomenta {
         let mut moved = start.clone();
         for iteration in 0..PULLS + CORRECTIONS {
             let pull = if iteration < PULLS { 0.5 } else { 0.0 };
-            moved = self.pulled(moved, &mu, pull)?;
+            moved = self.pull(moved, &mu, pull, pseudo_inverse)?;
             if iteration + 1 == PULLS && moved.norm_squared() > SHORTER * start.norm_squared() {
                 return None;
             }
@@ -73,7 +81,13 @@ impl QuadraticMomenta {
     }
 
     /// Performs one iteration. Each row of A is divided by its length, so that the units of the momenta do not matter.
-    fn pulled(&self, z: DVector<f64>, mu: &DVector<f64>, pull: f64) -> Option<DVector<f64>> {
+    fn pull(
+        &self,
+        z: DVector<f64>,
+        mu: &DVector<f64>,
+        pull: f64,
+        pseudo_inverse: PseudoInverse,
+    ) -> Option<DVector<f64>> {
         let (mut rows, values) = (self.rows(&z), self.values_at(&z));
         let mut right = mu - &values + values * (2.0 * pull);
         for (mut row, right) in rows.row_iter_mut().zip(right.iter_mut()) {
@@ -86,8 +100,7 @@ impl QuadraticMomenta {
         if !rows.iter().all(|x| x.is_finite()) {
             return None;
         }
-        let change = rows.svd(true, true).solve(&right, SINGULAR).ok()?;
-        Some(z * (1.0 - pull) + change)
+        Some(z * (1.0 - pull) + pseudo_inverse(&rows, &right)?)
     }
 
     /// Returns the momenta J(z).
@@ -105,6 +118,18 @@ impl QuadraticMomenta {
         }
         terms
     }
+}
+
+/// Returns Aᵀ (A Aᵀ + δ)⁻¹ r. The product with Aᵀ keeps the digits of coordinates that are much smaller than others.
+fn by_products(rows: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
+    let identity = DMatrix::identity(rows.nrows(), rows.nrows());
+    let gram = rows * rows.transpose() + identity * DAMPING;
+    Some(rows.tr_mul(&gram.cholesky()?.solve(right)))
+}
+
+/// Returns A⁺ r by singular values, also for rows that are so nearly dependent that their products do not tell.
+fn by_singular_values(rows: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
+    rows.clone().svd(true, true).solve(right, SINGULAR).ok()
 }
 
 #[cfg(test)]
