@@ -25,6 +25,16 @@ const SHORTER: f64 = 0.64;
 /// The greatest change of a momentum, relative to the sum of the sizes of its terms at z, to which it is known.
 const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
+/// What the iteration comes to.
+enum Pulled {
+    /// A point that is shorter.
+    Shorter(Vec<f64>),
+    /// A point that is about as long as the first.
+    AsLong,
+    /// None with the same momenta.
+    Lost,
+}
+
 impl QuadraticMomenta {
     /// Returns a point z with J(z) = μ, the shortest on its fibre if that is found.
     ///
@@ -48,8 +58,11 @@ impl QuadraticMomenta {
         let mut is_moved = false;
         for part in self.parts() {
             let point = part.point_of(z);
-            let ways: [PseudoInverse; 2] = [by_products, by_singular_values];
-            if let Some(point) = ways.iter().find_map(|way| part.momenta.pulled(&point, *way)) {
+            let mut pulled = part.momenta.pulled(&point, by_products);
+            if matches!(pulled, Pulled::Lost) {
+                pulled = part.momenta.pulled(&point, by_singular_values);
+            }
+            if let Pulled::Shorter(point) = pulled {
                 part.write(&point, &mut moved);
                 is_moved = true;
             }
@@ -57,27 +70,27 @@ impl QuadraticMomenta {
         is_moved.then_some(moved)
     }
 
-    /// Returns the point of momenta that do not fall into parts.
-    fn pulled(&self, z: &[f64], pseudo_inverse: PseudoInverse) -> Option<Vec<f64>> {
-        // The singular values of what is not finite are looked for without end.
-        if !z.iter().all(|x| x.is_finite()) {
-            return None;
-        }
+    /// Iterates from a point, for momenta that do not fall into parts.
+    fn pulled(&self, z: &[f64], pseudo_inverse: PseudoInverse) -> Pulled {
         let start = DVector::from_column_slice(z);
         let mu = self.values_at(&start);
         let mut moved = start.clone();
         for iteration in 0..PULLS + CORRECTIONS {
             let pull = if iteration < PULLS { 0.5 } else { 0.0 };
-            moved = self.pull(moved, &mu, pull, pseudo_inverse)?;
-            if iteration + 1 == PULLS && moved.norm_squared() > SHORTER * start.norm_squared() {
-                return None;
-            }
+            moved = match self.pull(moved, &mu, pull, pseudo_inverse) {
+                Some(moved) => moved,
+                None => return Pulled::Lost,
+            };
         }
         let change = self.values_at(&moved) - mu;
-        let is_same =
-            change.iter().zip(&self.terms_at(&start)).all(|(x, y)| x.abs() <= ROUNDINGS * y);
-        let is_shorter = moved.norm_squared() < SHORTER * start.norm_squared();
-        (is_same && is_shorter).then(|| moved.as_slice().to_vec())
+        let is_same = |(x, y): (&f64, &f64)| x.abs() <= ROUNDINGS * y;
+        if !change.iter().zip(&self.terms_at(&start)).all(is_same) {
+            return Pulled::Lost;
+        }
+        match moved.norm_squared() < SHORTER * start.norm_squared() {
+            true => Pulled::Shorter(moved.as_slice().to_vec()),
+            false => Pulled::AsLong,
+        }
     }
 
     /// Performs one iteration. Each row of A is divided by its length, so that the units of the momenta do not matter.
@@ -89,6 +102,10 @@ impl QuadraticMomenta {
         pseudo_inverse: PseudoInverse,
     ) -> Option<DVector<f64>> {
         let (mut rows, values) = (self.rows(&z), self.values_at(&z));
+        // The singular values of what is not finite are looked for without end.
+        if !rows.iter().chain(&values).all(|x| x.is_finite()) {
+            return None;
+        }
         let mut right = mu - &values + values * (2.0 * pull);
         for (mut row, right) in rows.row_iter_mut().zip(right.iter_mut()) {
             let length = row.norm();
@@ -96,9 +113,6 @@ impl QuadraticMomenta {
                 row /= length;
                 *right /= length;
             }
-        }
-        if !rows.iter().all(|x| x.is_finite()) {
-            return None;
         }
         Some(z * (1.0 - pull) + pseudo_inverse(&rows, &right)?)
     }
