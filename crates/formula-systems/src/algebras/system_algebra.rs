@@ -303,18 +303,6 @@ impl SystemAlgebra {
         }
     }
 
-    /// Returns the momenta of spinors along which rotations and rigid motions are followed collectively, a Poisson map to the plus
-    /// bracket; `None` for other algebras.
-    pub(crate) fn spinors(&self) -> Option<QuadraticMomenta> {
-        match self.family {
-            Family::Rotations | Family::ManyRotations => {
-                Some(QuadraticMomenta::of_rotations(self.dimension() / 3))
-            }
-            Family::Motions => Some(QuadraticMomenta::of_motions()),
-            Family::Other => None,
-        }
-    }
-
     /// Returns the name in messages: that of [`named`](Self::named), or "this algebra".
     #[must_use]
     pub fn name(&self) -> &str {

@@ -68,6 +68,18 @@ impl SystemAlgebra {
         Ok(Method::new(formulation, scheme, tolerance)?)
     }
 
+    /// Returns the momenta of spinors along which rotations and rigid motions are followed collectively, a Poisson map to the plus
+    /// bracket; `None` for other algebras.
+    pub(crate) fn spinors(&self) -> Option<QuadraticMomenta> {
+        match self.family {
+            Family::Rotations | Family::ManyRotations => {
+                Some(QuadraticMomenta::of_rotations(self.dimension() / 3))
+            }
+            Family::Motions => Some(QuadraticMomenta::of_motions()),
+            Family::Other => None,
+        }
+    }
+
     /// Returns whether the steps of affine schemes descend to 𝔤∗.
     pub(crate) fn descends(&self, formulation: Formulation) -> bool {
         match (formulation, self.verdict(), self.family) {

@@ -14,7 +14,7 @@ const SPINOR: [Term; 8] = [
     (2, 3, 3, -0.25),
 ];
 
-/// The entries of ζ ↦ −(i/2)σ_a ζ as real matrices of (x₁, x₂, y₁, y₂).
+/// The entries (a, row, column, value) of ζ ↦ −(i/2)σ_a ζ as real matrices of (x₁, x₂, y₁, y₂).
 const TURN: [Term; 12] = [
     (0, 0, 3, 0.5),
     (0, 1, 2, 0.5),

@@ -99,3 +99,24 @@ fn not_reached(value: f64) -> LiftError {
 fn inverse(size: f64) -> f64 {
     if size > 0.0 { size.recip() } else { 1.0 }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// Each spin has the digits of its own size; all of them together would have those of the largest.
+    #[test]
+    fn parts_are_lifted_in_their_own_units() {
+        let momenta = QuadraticMomenta::of_rotations(3);
+        let sizes = [1e-30, 1.0, 1e30];
+        let mu: Vec<f64> = sizes.iter().flat_map(|s| [0.6, -0.5, 0.4].map(|x| x * s)).collect();
+        let error = |z: &[f64]| {
+            let found = momenta.values_at(&DVector::from_column_slice(z));
+            found.iter().zip(&mu).map(|(x, y)| (x / y - 1.0).abs()).fold(0.0, f64::max)
+        };
+        // Roundings of the few terms of a momentum, of which none is much larger than the sum.
+        assert!(error(&momenta.lift(&mu).unwrap()) < 1e-14);
+        assert!(momenta.lift_of_part(&mu).map_or(f64::INFINITY, |z| error(&z)) > 1.0);
+    }
+}

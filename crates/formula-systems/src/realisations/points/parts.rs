@@ -1,6 +1,6 @@
 //! Quadratic momenta that fall into parts with coordinates of their own: [`QuadraticMomenta::parts`].
 
-use crate::realisations::quadratic_momenta::QuadraticMomenta;
+use crate::realisations::quadratic_momenta::{QuadraticMomenta, Term};
 
 /// Momenta that have no coordinate in common with others.
 pub(super) struct Part {
@@ -68,7 +68,7 @@ impl QuadraticMomenta {
             pairs.iter().copied().chain(pairs.iter().map(|pair| m + pair)).collect();
         let mut places = vec![None; self.size()];
         coordinates.iter().enumerate().for_each(|(place, at)| places[*at] = Some(place));
-        let own = |&(a, i, j, value): &(usize, usize, usize, f64)| {
+        let own = |&(a, i, j, value): &Term| {
             let a = numbers.binary_search(&a).ok()?;
             Some((a, places[i]?, places[j]?, value))
         };
