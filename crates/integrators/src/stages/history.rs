@@ -265,30 +265,26 @@ impl<V: State> StageHistory<V> {
 }
 
 /// Sets k_i = X(z) in the lanes that are not `done`. It is rare, except for methods without predictions, and so compiled
-/// once for each type of vectors where a field may be called through a pointer.
+/// once for each type of vectors where a field may be called through a pointer. In wide registers a function of its own would
+/// call each of its operations, in each step with noise.
 #[cfg_attr(optimised, inline(always))]
 fn begin_with<V: State, F: VectorField<V::Scalar, Point = V>>(
     field: &F,
     z: &V,
     done: MaskOf<V>,
-    unknowns: (&mut [V], &mut V),
+    (k, spare): (&mut [V], &mut V),
 ) {
     if V::Scalar::HAS_SLOW_PATHS {
-        begin::<V, FieldOn<'_, V>>(field, z, done, unknowns);
+        evaluate::<V>(field, z, spare);
     } else {
-        begin(field, z, done, unknowns);
+        field.at_into(z, spare);
     }
+    fill_unless(done, k, spare);
 }
 
 #[inline(never)]
-fn begin<V: State, F: ?Sized + VectorField<V::Scalar, Point = V>>(
-    field: &F,
-    z: &V,
-    done: MaskOf<V>,
-    (k, spare): (&mut [V], &mut V),
-) {
-    field.at_into(z, spare);
-    fill_unless(done, k, spare);
+fn evaluate<V: State>(field: &FieldOn<'_, V>, z: &V, value: &mut V) {
+    field.at_into(z, value);
 }
 
 /// [`StageEquations::evaluate`] as a function.

@@ -43,7 +43,7 @@ impl<A: GroupAction> GroupAction for CotangentLift<A> {
         Cotangent { q, p: transposed_tangent(undo, &q, &z.p) }
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn infinitesimal_generator<T: Real>(
         &self,
         xi: &Generator<A, T>,

@@ -35,13 +35,13 @@ impl<A: GroupAction> GroupAction for Opposite<A> {
         self.0.space()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, g: &ActingElement<A, T>, q: &ActionPoint<A, T>) -> ActionPoint<A, T> {
         self.0.act::<T>(&self.0.group().inverse::<T>(g), q)
     }
 
     /// Returns −ξ_Q(q), since exp(sξ)⁻¹ = exp(−sξ).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn infinitesimal_generator<T: Real>(
         &self,
         xi: &Generator<A, T>,
@@ -51,13 +51,13 @@ impl<A: GroupAction> GroupAction for Opposite<A> {
     }
 
     /// Returns the momentum −J(q, p).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn momentum<T: Real>(&self, z: &Cotangent<ActionPoint<A, T>>) -> GroupMomentum<A::Group, T> {
         -self.0.momentum::<T>(z)
     }
 
     /// Returns the generator of the lift with the opposite sign.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn lifted_generator<T: Real>(
         &self,
         xi: &Generator<A, T>,
@@ -110,7 +110,7 @@ impl<A: GroupAction, B: GroupAction> GroupAction for ProductAction<A, B> {
         ProductSpace(self.0.space(), self.1.space())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(
         &self,
         g: &ActingElement<Self, T>,
@@ -119,7 +119,7 @@ impl<A: GroupAction, B: GroupAction> GroupAction for ProductAction<A, B> {
         Pair(self.0.act::<T>(&g.0, &q.0), self.1.act::<T>(&g.1, &q.1))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn infinitesimal_generator<T: Real>(
         &self,
         xi: &Generator<Self, T>,
@@ -132,7 +132,7 @@ impl<A: GroupAction, B: GroupAction> GroupAction for ProductAction<A, B> {
     }
 
     /// Returns the pair of the momenta of the two actions.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn momentum<T: Real>(
         &self,
         z: &Cotangent<ActionPoint<Self, T>>,
@@ -144,7 +144,7 @@ impl<A: GroupAction, B: GroupAction> GroupAction for ProductAction<A, B> {
         )
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn lifted_generator<T: Real>(
         &self,
         xi: &Generator<Self, T>,

@@ -32,13 +32,13 @@ impl<R: GroupRepresentation> GroupAction for LinearAction<R> {
         RepresentationSpace(self.0.clone())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, g: &ActingElement<Self, T>, v: &R::Space<T>) -> R::Space<T> {
         self.0.transform::<T>(g, v)
     }
 
     /// Returns the generator ξ v.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn infinitesimal_generator<T: Real>(
         &self,
         xi: &Generator<Self, T>,
@@ -48,13 +48,13 @@ impl<R: GroupRepresentation> GroupAction for LinearAction<R> {
     }
 
     /// Returns the diamond product v ◇ α.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn momentum<T: Real>(&self, z: &Cotangent<R::Space<T>>) -> GroupMomentum<R::Group, T> {
         self.0.diamond::<T>(&z.q, &z.p)
     }
 
     /// Returns the lifted generator (ξv, −ξᵀα).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn lifted_generator<T: Real>(
         &self,
         xi: &Generator<Self, T>,
@@ -81,13 +81,13 @@ impl<R: GroupRepresentation> GroupAction for AffineAction<R> {
         RepresentationSpace(self.0.clone())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, g: &ActingElement<Self, T>, x: &R::Space<T>) -> R::Space<T> {
         self.0.transform::<T>(&g.0, x) + g.1
     }
 
     /// Returns ξx + φ for (ξ, φ) ∈ 𝔤 ⋉ V.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn infinitesimal_generator<T: Real>(
         &self,
         xi: &Generator<Self, T>,
@@ -97,13 +97,13 @@ impl<R: GroupRepresentation> GroupAction for AffineAction<R> {
     }
 
     /// Returns (x ◇ α, α).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn momentum<T: Real>(&self, z: &Cotangent<R::Space<T>>) -> GroupMomentum<Self::Group, T> {
         Covector(Pair(self.0.diamond::<T>(&z.q, &z.p).0, z.p.0))
     }
 
     /// Returns (ξx + φ, −ξᵀα) for (ξ, φ) ∈ 𝔤 ⋉ V.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn lifted_generator<T: Real>(
         &self,
         xi: &Generator<Self, T>,

@@ -30,13 +30,13 @@ impl<R: Representation> Representation for CotangentRepresentation<R> {
         self.0.algebra()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &RepresentedElement<R, T>, z: &Self::Space<T>) -> Self::Space<T> {
         Cotangent { q: self.0.act::<T>(xi, &z.q), p: -self.0.transpose_act::<T>(xi, &z.p) }
     }
 
     /// Returns (ξᵀα, −ξv) for the covector (α, v) of T∗V.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &RepresentedElement<R, T>,
@@ -47,7 +47,7 @@ impl<R: Representation> Representation for CotangentRepresentation<R> {
     }
 
     /// Returns q ◇ α − v ◇ p for the covector (α, v) of T∗V.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         z: &Self::Space<T>,
@@ -60,17 +60,17 @@ impl<R: Representation> Representation for CotangentRepresentation<R> {
 
 impl<R: Representation> SymplecticRepresentation for CotangentRepresentation<R> {
     /// Returns the canonical form Ω(u, v) = ⟨v.p, u.q⟩ − ⟨u.p, v.q⟩.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn form<T: Real>(&self, u: &Self::Space<T>, v: &Self::Space<T>) -> T {
         pairing(&v.p, &u.q) - pairing(&u.p, &v.q)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn sharp<T: Real>(&self, alpha: &Covector<Self::Space<T>>) -> Self::Space<T> {
         Cotangent { q: alpha.0.p.0, p: -Covector(alpha.0.q) }
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
         Covector(Cotangent { q: -x.p.0, p: Covector(x.q) })
     }

@@ -66,13 +66,13 @@ impl<A: GroupAction> PoissonMap for MomentumMap<A> {
         LiePoisson::new(self.0.group().algebra(), A::SIDE.lie_poisson_sign())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
         self.0.momentum::<T>(z)
     }
 
     /// Returns the covector i_X Ω for the generator X, which is the Hamiltonian vector field of z ↦ ⟨J(z), ξ⟩.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn pull_back<T: Real>(
         &self,
         xi: &TargetDifferential<Self, T>,
@@ -82,7 +82,7 @@ impl<A: GroupAction> PoissonMap for MomentumMap<A> {
     }
 
     /// Returns the generator of the cotangent lift at z.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn generator<T: Real>(
         &self,
         xi: &TargetDifferential<Self, T>,

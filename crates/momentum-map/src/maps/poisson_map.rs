@@ -110,7 +110,7 @@ pub trait PoissonMap: Clone {
     /// digits. Collective integrators replace z by z + gauge(z). The gauge should be 0 at most points, so that
     /// neighbouring points of a motion stay neighbours, and its addition should be free of rounding errors if
     /// possible. The default is 0.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn gauge<T: Real>(&self, _z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         Vector::zero()
     }
@@ -182,12 +182,12 @@ where
         self.outer.target()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
         self.outer.apply::<T>(&self.inner.apply::<T>(z))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn pull_back<T: Real>(
         &self,
         alpha: &TargetDifferential<Self, T>,
@@ -197,7 +197,7 @@ where
         self.inner.pull_back::<T>(&middle, z)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn generator<T: Real>(
         &self,
         alpha: &TargetDifferential<Self, T>,
@@ -212,7 +212,7 @@ where
         self.inner.equivariant_maps_descend() && self.outer.equivariant_maps_descend()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         self.inner.gauge::<T>(z)
     }
@@ -234,12 +234,12 @@ impl<P: PoissonSpace> PoissonMap for Identity<P> {
         self.0.clone()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn apply<T: Real>(&self, z: &Point<P, T>) -> Point<P, T> {
         *z
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn pull_back<T: Real>(
         &self,
         alpha: &Differential<P, T>,

@@ -74,7 +74,7 @@ impl<R: SymplecticRepresentation> PoissonMap for QuadraticMomentumMap<R> {
     }
 
     /// Returns the covector i_X Ω for the generator X, which is the Hamiltonian vector field of z ↦ ⟨J(z), ξ⟩.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn pull_back<T: Real>(
         &self,
         xi: &TargetDifferential<Self, T>,

@@ -22,7 +22,7 @@ pub trait SymplecticRepresentation: Representation {
     /// Returns the covector Ω(x, ·), the inverse of [`sharp`](Self::sharp).
     ///
     /// The default implementation evaluates the form once for each coordinate.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
         Covector::from_coordinates(|i| self.form::<T>(x, &Vector::basis(i)))
     }
@@ -52,7 +52,7 @@ impl<R: Representation> VectorSpace for Symplectic<R> {
 }
 
 impl<R: SymplecticRepresentation> PoissonSpace for Symplectic<R> {
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn hamiltonian_vector<T: Real>(
         &self,
         _: &R::Space<T>,
@@ -63,12 +63,12 @@ impl<R: SymplecticRepresentation> PoissonSpace for Symplectic<R> {
 }
 
 impl<R: SymplecticRepresentation> SymplecticSpace for Symplectic<R> {
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn symplectic_form<T: Real>(&self, u: &R::Space<T>, v: &R::Space<T>) -> T {
         self.0.form::<T>(u, v)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn flat<T: Real>(&self, x: &R::Space<T>) -> Covector<R::Space<T>> {
         self.0.flat::<T>(x)
     }
@@ -91,7 +91,7 @@ impl Representation for So3OnC2 {
         SU2OnC2.act(xi, v)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &Vector3<T>,
@@ -114,12 +114,12 @@ impl Representation for So3OnC2 {
 macro_rules! unitary {
     ($($representation:ty, $n:expr, [$($generic:tt)*]);*) => {$(
         impl<$($generic)*> SymplecticRepresentation for $representation {
-            #[inline]
+            #[cfg_attr(optimised, inline(always))]
             fn form<T: Real>(&self, u: &Self::Space<T>, v: &Self::Space<T>) -> T {
                 SymplecticComplexSpace::<$n>.symplectic_form(u, v)
             }
 
-            #[inline]
+            #[cfg_attr(optimised, inline(always))]
             fn sharp<T: Real>(&self, alpha: &Covector<Self::Space<T>>) -> Self::Space<T> {
                 let zero: SVector<Complex<T>, $n> = Vector::zero();
                 SymplecticComplexSpace::<$n>.hamiltonian_vector(&zero, alpha)
@@ -142,17 +142,17 @@ unitary!(So3OnC2, 2, []; SU2OnC2, 2, []; UnitaryOnComplexSpace<N>, N, [const N: 
 
 /// SL(2, R) preserves the area Ω(u, v) = u₁v₂ − u₂v₁.
 impl SymplecticRepresentation for SL2OnR2 {
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn form<T: Real>(&self, u: &Vector2<T>, v: &Vector2<T>) -> T {
         u.x * v.y - u.y * v.x
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn sharp<T: Real>(&self, alpha: &Covector<Vector2<T>>) -> Vector2<T> {
         Vector2::new(alpha.0.y, -alpha.0.x)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn flat<T: Real>(&self, x: &Vector2<T>) -> Covector<Vector2<T>> {
         Covector(Vector2::new(-x.y, x.x))
     }
@@ -175,12 +175,12 @@ impl<R: Representation> Representation for Reversed<R> {
         self.0.algebra()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &RepresentedElement<R, T>, v: &R::Space<T>) -> R::Space<T> {
         self.0.act::<T>(xi, v)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &RepresentedElement<R, T>,
@@ -189,7 +189,7 @@ impl<R: Representation> Representation for Reversed<R> {
         self.0.transpose_act::<T>(xi, alpha)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &R::Space<T>,
@@ -200,17 +200,17 @@ impl<R: Representation> Representation for Reversed<R> {
 }
 
 impl<R: SymplecticRepresentation> SymplecticRepresentation for Reversed<R> {
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn form<T: Real>(&self, u: &R::Space<T>, v: &R::Space<T>) -> T {
         -self.0.form::<T>(u, v)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn sharp<T: Real>(&self, alpha: &Covector<R::Space<T>>) -> R::Space<T> {
         -self.0.sharp::<T>(alpha)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn flat<T: Real>(&self, x: &R::Space<T>) -> Covector<R::Space<T>> {
         -self.0.flat::<T>(x)
     }
@@ -225,36 +225,36 @@ where
     R: SymplecticRepresentation,
     S: SymplecticRepresentation<Algebra = R::Algebra>,
 {
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn form<T: Real>(&self, u: &Self::Space<T>, v: &Self::Space<T>) -> T {
         self.0.form::<T>(&u.0, &v.0) + self.1.form::<T>(&u.1, &v.1)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn sharp<T: Real>(&self, alpha: &Covector<Self::Space<T>>) -> Self::Space<T> {
         let Covector(Pair(first, second)) = *alpha;
         Pair(self.0.sharp::<T>(&Covector(first)), self.1.sharp::<T>(&Covector(second)))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
         Covector(Pair(self.0.flat::<T>(&x.0).0, self.1.flat::<T>(&x.1).0))
     }
 }
 
 impl<R: SymplecticRepresentation, const N: usize> SymplecticRepresentation for Diagonal<R, N> {
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn form<T: Real>(&self, u: &Self::Space<T>, v: &Self::Space<T>) -> T {
         let terms = u.0.iter().zip(&v.0);
         terms.fold(T::zero(), |sum, (u, v)| sum + self.0.form::<T>(u, v))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn sharp<T: Real>(&self, alpha: &Covector<Self::Space<T>>) -> Self::Space<T> {
         Power::from_factors(|n| self.0.sharp::<T>(&Covector(alpha.0.0[n])))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
         Covector(Power::from_factors(|n| self.0.flat::<T>(&x.0[n]).0))
     }

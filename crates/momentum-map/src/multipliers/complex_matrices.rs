@@ -28,12 +28,12 @@ impl<const N: usize> Multipliers for ComplexMatrices<N> {
         LiePoisson::minus(UnitaryAlgebra)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn one<T: Real>(&self) -> SMatrix<Complex<T>, N, N> {
         SMatrix::identity()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn generate<T: Real>(
         &self,
         xi: &SkewHermitian<T, N>,
@@ -42,7 +42,7 @@ impl<const N: usize> Multipliers for ComplexMatrices<N> {
         -(xi.matrix() * q)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transport<T: Real>(
         &self,
         q: &SMatrix<Complex<T>, N, N>,
@@ -52,7 +52,7 @@ impl<const N: usize> Multipliers for ComplexMatrices<N> {
         UnitaryAlgebra.momentum(&moved)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn product<T: Real>(
         &self,
         q: &SMatrix<Complex<T>, N, N>,
@@ -62,7 +62,7 @@ impl<const N: usize> Multipliers for ComplexMatrices<N> {
     }
 
     /// Returns B∗(2 − BB∗), which is B∗ for unitary B and otherwise the inverse to second order in 1 − BB∗.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, b: &SMatrix<Complex<T>, N, N>) -> SMatrix<Complex<T>, N, N> {
         let adjoint = b.transpose().map(|z| z.conj());
         adjoint + adjoint * (SMatrix::identity() - b * adjoint)

@@ -41,12 +41,12 @@ where
         LiePoisson::new(PowerAlgebra(factor.algebra().clone()), factor.sign())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn one<T: Real>(&self) -> Self::Multiplier<T> {
         Power([self.0.one::<T>(); N])
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn generate<T: Real>(
         &self,
         xi: &Power<A::Element<T>, N>,
@@ -55,7 +55,7 @@ where
         Power::from_factors(|n| self.0.generate::<T>(&xi.0[n], &q.0[n]))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transport<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
@@ -65,7 +65,7 @@ where
         Covector(Power::from_factors(factor))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint_change<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
@@ -75,7 +75,7 @@ where
         Covector(Power::from_factors(factor))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn product<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
@@ -84,7 +84,7 @@ where
         Power::from_factors(|n| self.0.product::<T>(&q.0[n], &b.0[n]))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Self::Multiplier<T> {
         Power::from_factors(|n| self.0.inverse::<T>(&b.0[n]))
     }

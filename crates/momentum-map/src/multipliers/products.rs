@@ -32,12 +32,12 @@ impl<M: Multipliers, N: Multipliers> Multipliers for ProductMultipliers<M, N> {
         ProductSpace(self.0.space(), self.1.space())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn one<T: Real>(&self) -> Self::Multiplier<T> {
         Pair(self.0.one::<T>(), self.1.one::<T>())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn generate<T: Real>(
         &self,
         xi: &Differential<Self::Space, T>,
@@ -47,7 +47,7 @@ impl<M: Multipliers, N: Multipliers> Multipliers for ProductMultipliers<M, N> {
         Pair(self.0.generate::<T>(&first, &q.0), self.1.generate::<T>(&second, &q.1))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transport<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
@@ -56,7 +56,7 @@ impl<M: Multipliers, N: Multipliers> Multipliers for ProductMultipliers<M, N> {
         Pair(self.0.transport::<T>(&q.0, &mu.0), self.1.transport::<T>(&q.1, &mu.1))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint_change<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
@@ -65,7 +65,7 @@ impl<M: Multipliers, N: Multipliers> Multipliers for ProductMultipliers<M, N> {
         Pair(self.0.coadjoint_change::<T>(&q.0, &mu.0), self.1.coadjoint_change::<T>(&q.1, &mu.1))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn product<T: Real>(
         &self,
         q: &Self::Multiplier<T>,
@@ -74,7 +74,7 @@ impl<M: Multipliers, N: Multipliers> Multipliers for ProductMultipliers<M, N> {
         Pair(self.0.product::<T>(&q.0, &b.0), self.1.product::<T>(&q.1, &b.1))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Self::Multiplier<T> {
         Pair(self.0.inverse::<T>(&b.0), self.1.inverse::<T>(&b.1))
     }

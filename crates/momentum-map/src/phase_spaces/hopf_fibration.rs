@@ -69,7 +69,7 @@ pub fn pauli<T: Real>(v: &Vector3<T>, chi: &Vector2<Complex<T>>) -> Vector2<Comp
 ///     assert!((hopf_map(&hopf_section(&gamma)) - gamma).norm() < 1e-15);
 /// }
 /// ```
-#[inline]
+#[cfg_attr(optimised, inline(always))]
 pub fn hopf_section<T: Real>(gamma: &Vector3<T>) -> Vector2<Complex<T>> {
     let scale = squaring_scale(gamma);
     let unit = gamma * scale;

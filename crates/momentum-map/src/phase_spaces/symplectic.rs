@@ -18,7 +18,7 @@ pub trait SymplecticSpace: PoissonSpace {
 
     /// Returns the covector i_x Ω = Ω(x, ·), the inverse of
     /// [`hamiltonian_vector`](PoissonSpace::hamiltonian_vector).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn flat<T: Real>(&self, x: &Point<Self, T>) -> Differential<Self, T> {
         Vector::from_coordinates(|i| self.symplectic_form::<T>(x, &Vector::basis(i)))
     }
@@ -33,7 +33,7 @@ impl<const N: usize> VectorSpace for SymplecticComplexSpace<N> {
 }
 
 impl<const N: usize> PoissonSpace for SymplecticComplexSpace<N> {
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn hamiltonian_vector<T: Real>(
         &self,
         _: &SVector<Complex<T>, N>,
@@ -44,7 +44,7 @@ impl<const N: usize> PoissonSpace for SymplecticComplexSpace<N> {
 }
 
 impl<const N: usize> SymplecticSpace for SymplecticComplexSpace<N> {
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn symplectic_form<T: Real>(
         &self,
         u: &SVector<Complex<T>, N>,

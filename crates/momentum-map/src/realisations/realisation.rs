@@ -42,7 +42,7 @@ pub trait Fibres<M: PoissonMap>: Clone {
     }
 
     /// Returns the displacement [`PoissonMap::gauge`] along the fibre, by default that of the map.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn gauge<T: Real>(&self, map: &M, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
         map.gauge::<T>(z)
     }
@@ -134,12 +134,12 @@ impl<M: PoissonMap, F: Fibres<M>> PoissonMap for Realisation<M, F> {
         self.map.target()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn apply<T: Real>(&self, z: &SourcePoint<M, T>) -> TargetPoint<M, T> {
         self.map.apply::<T>(z)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn pull_back<T: Real>(
         &self,
         alpha: &TargetDifferential<M, T>,
@@ -148,7 +148,7 @@ impl<M: PoissonMap, F: Fibres<M>> PoissonMap for Realisation<M, F> {
         self.map.pull_back::<T>(alpha, z)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn generator<T: Real>(
         &self,
         alpha: &TargetDifferential<M, T>,
@@ -161,7 +161,7 @@ impl<M: PoissonMap, F: Fibres<M>> PoissonMap for Realisation<M, F> {
         self.map.equivariant_maps_descend()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn gauge<T: Real>(&self, z: &SourcePoint<M, T>) -> SourcePoint<M, T> {
         self.fibres.gauge::<T>(&self.map, z)
     }

@@ -42,13 +42,13 @@ where
         LiePoisson::new(PowerAlgebra(factor.algebra().clone()), factor.sign())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
         Covector(Power::from_factors(|n| self.0.apply::<T>(&z.0[n]).0))
     }
 
     /// Returns the pull-backs of the N parts of α by the map.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn pull_back<T: Real>(
         &self,
         alpha: &TargetDifferential<Self, T>,
@@ -58,7 +58,7 @@ where
         Covector(Power::from_factors(|n| map_coordinates(&part(n), |x| x)))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn generator<T: Real>(
         &self,
         alpha: &TargetDifferential<Self, T>,
@@ -71,7 +71,7 @@ where
         self.0.equivariant_maps_descend()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         Power::from_factors(|n| self.0.gauge::<T>(&z.0[n]))
     }

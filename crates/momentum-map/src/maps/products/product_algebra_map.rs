@@ -91,14 +91,14 @@ where
         LiePoisson::new(algebra, first.sign())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
         let Pair(first, second) = self.factors.apply::<T>(z);
         Covector(Pair(first.0, second.0))
     }
 
     /// Returns the pull-backs of the two parts of α by the two maps.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn pull_back<T: Real>(
         &self,
         alpha: &TargetDifferential<Self, T>,
@@ -108,7 +108,7 @@ where
         from_parts(&first.pull_back::<T>(&alpha.0, &z.0), &second.pull_back::<T>(&alpha.1, &z.1))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn generator<T: Real>(
         &self,
         alpha: &TargetDifferential<Self, T>,
@@ -122,7 +122,7 @@ where
         self.factors.equivariant_maps_descend()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         self.factors.gauge::<T>(z)
     }

@@ -29,13 +29,13 @@ impl<M: PoissonMap, N: PoissonMap> PoissonMap for ProductMap<M, N> {
         ProductSpace(self.0.target(), self.1.target())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
         Pair(self.0.apply::<T>(&z.0), self.1.apply::<T>(&z.1))
     }
 
     /// Returns the pull-backs of the two parts of α by the two maps, each of which may have a closed form.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn pull_back<T: Real>(
         &self,
         alpha: &TargetDifferential<Self, T>,
@@ -45,7 +45,7 @@ impl<M: PoissonMap, N: PoissonMap> PoissonMap for ProductMap<M, N> {
         from_parts(&self.0.pull_back::<T>(&first, &z.0), &self.1.pull_back::<T>(&second, &z.1))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn generator<T: Real>(
         &self,
         alpha: &TargetDifferential<Self, T>,
@@ -59,7 +59,7 @@ impl<M: PoissonMap, N: PoissonMap> PoissonMap for ProductMap<M, N> {
         self.0.equivariant_maps_descend() && self.1.equivariant_maps_descend()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
         Pair(self.0.gauge::<T>(&z.0), self.1.gauge::<T>(&z.1))
     }
