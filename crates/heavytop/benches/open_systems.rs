@@ -7,7 +7,7 @@
 
 use collective_integrators::{
     BatchIntegrator, BrownianPaths, Collective, Driven, Laned, Noisy, NoisyReduced, RungeKutta,
-    Start,
+    StageSolver, Start,
 };
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
@@ -123,8 +123,11 @@ fn one_top(criterion: &mut Criterion) {
     group.throughput(Throughput::Elements(STEPS)).sample_size(30);
     time(&mut group, "friction", &driven_by_friction(), &in_time);
     time(&mut group, "friction and noise", &langevin(), &on_path);
-    let reduced = NoisyReduced::new(DualQuaternions, damped(), noise(), paths());
-    time(&mut group, "friction and noise, without a lift", &reduced, &on_path);
+    let reduced = || NoisyReduced::new(DualQuaternions, damped(), noise(), paths());
+    time(&mut group, "friction and noise, without a lift", &reduced(), &on_path);
+    let solver = StageSolver { tolerance: 1e-6, ..StageSolver::default() };
+    let to_tolerance = reduced().with_solver(solver);
+    time(&mut group, "friction and noise, without a lift, to 1e-6", &to_tolerance, &on_path);
     let conservative = driven(Autonomous(top()));
     time(&mut group, "neither", &conservative, &in_time);
     let noisy = Noisy::new(midpoint(), SpinorRealisation, Autonomous(top()), noise(), paths());
@@ -176,6 +179,13 @@ fn many_tops(criterion: &mut Criterion) {
         langevin().start(&Pair(start(), clock)).unwrap()
     };
     time_batch(&mut group, "friction and noise", || Laned::new(langevin()), on_path);
+    let reduced = || {
+        let solver = StageSolver { tolerance: 1e-6, ..StageSolver::default() };
+        NoisyReduced::new(DualQuaternions, damped(), noise(), paths()).with_solver(solver)
+    };
+    let moving = |path: u64| Pair(start(), Pair(Vector1::new(path as f64), Vector1::new(0.0)));
+    let name = "friction and noise, without a lift, to 1e-6";
+    time_batch(&mut group, name, || Laned::new(reduced()), moving);
     group.finish();
 }
 

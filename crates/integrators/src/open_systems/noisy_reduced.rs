@@ -27,8 +27,8 @@ use momentum_map::{InvertibleMultipliers, LiftError, Multiplier};
 ///
 /// and is solved for ζ by a fixed-point iteration to the round-off floor. The rotation is exact for every ζ, so that noise that
 /// does not depend on μ takes no part in the iteration: it converges where h ∂ξ/∂μ is small, however large the noise is, also
-/// where steps of [`Noisy`](crate::Noisy), on the space of the lift, fail. Each path keeps all Casimirs to round-off. A step does
-/// not depend on the steps before it.
+/// where steps of [`Noisy`](crate::Noisy), on the space of the lift, fail. Each path keeps all Casimirs to round-off, also if the
+/// iteration stops at a [tolerance](Self::with_solver). A step does not depend on the steps before it.
 ///
 /// The sign is that of the multipliers: dμ = Λξ dt + Σ_k Λσ_k ∘ dW_k, with dμ = Π × ξ dt on so(3)∗ with the minus bracket.
 /// A momentum is (μ, (number of the path, time)), as that of [`Noisy`](crate::Noisy); all of 𝔤∗ is allowed.
@@ -75,7 +75,9 @@ impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
         Self { multipliers, field, noise, paths, solver: FIXED_POINT }
     }
 
-    /// Replaces the solver of the fixed-point iteration. Its tolerance is a part of ζ.
+    /// Replaces the solver of the fixed-point iteration. Its tolerance is a part of ζ: the relative error of the motion of a step.
+    /// Each step moves along the orbit by an element of the group all the same. With noise, whose steps have relative errors
+    /// of 1e-3 and more, the tolerance 1e-6 changes no mean that can be measured, and halves the number of sweeps.
     #[must_use]
     pub fn with_solver(self, solver: StageSolver) -> Self {
         Self { solver, ..self }

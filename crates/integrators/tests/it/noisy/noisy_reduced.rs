@@ -2,8 +2,8 @@
 
 use super::support::{InField, isotropic, on_path};
 use collective_integrators::{
-    BrownianPaths, Ensemble, Integrator, Laned, Noisy, NoisyReduced, RungeKutta, Start, StepError,
-    laws,
+    BrownianPaths, Ensemble, Integrator, Laned, Noisy, NoisyReduced, RungeKutta, StageSolver,
+    Start, StepError, laws,
 };
 use lie_poisson::{
     Automatic, Autonomous, Covector, DoubleBracket, Energy, InnerProduct, IsotropicNoise,
@@ -178,10 +178,57 @@ fn stages_that_do_not_converge_are_an_error() {
     assert!(has_none, "{failed}");
 }
 
+/// Returns a solver that stops at a tolerance.
+fn solver(tolerance: f64) -> StageSolver {
+    StageSolver { tolerance, ..StageSolver::default() }
+}
+
+/// A tolerance is an error of the angle by which a step turns the spin. The turn is a rotation all the same, while the rule on the
+/// space of the lift loses the Casimir to a tolerance.
+#[test]
+fn a_tolerance_saves_sweeps_and_keeps_the_casimir() {
+    let field = Autonomous(Automatic(Cubic));
+    let of_lift = |tolerance| {
+        let midpoint = RungeKutta::implicit_midpoint().with_solver(solver(tolerance));
+        Noisy::new(midpoint, HOPF, field, isotropic(0.5), paths())
+    };
+    let reduced = |tolerance| {
+        NoisyReduced::new(Quaternions, field, isotropic(0.5), paths())
+            .with_solver(solver(tolerance))
+    };
+    let start = on_path(spin(), 4);
+    let follow = |tolerance: f64| {
+        let integrator = reduced(tolerance);
+        let (mut state, mut sweeps) = (integrator.start(&start).unwrap(), 0);
+        for _ in 0..1000 {
+            let made = integrator.step(&state, STEP, &mut ()).unwrap();
+            (state, sweeps) = (made.point, sweeps + made.iterations);
+        }
+        (state.0.0, sweeps)
+    };
+    let ((exact, all), (near, few)) = (follow(0.0), follow(1e-6));
+    // A thousand steps of some ten roundings.
+    assert!((near.norm() - 1.0).abs() < 1e-12 && 2 * few < all, "{few} of {all}");
+    // The errors of the steps add up, and the spin goes from one fixed point to another in many turns.
+    let apart = (near - exact).norm();
+    assert!(apart > 1e-12 && apart < 1e-3, "{apart:e}");
+    let lost = of_lift(1e-6).after(&start, STEP, 1000).unwrap().momentum.0.0.norm() - 1.0;
+    assert!(lost.abs() > 1e-10, "{lost:e}");
+}
+
 #[test]
 fn members_in_lanes_have_the_bits_of_single_runs() {
-    let make =
-        || NoisyReduced::new(Quaternions, Autonomous(Automatic(Cubic)), isotropic(0.5), paths());
+    for tolerance in [0.0, 1e-6] {
+        in_lanes_and_alone(|| {
+            NoisyReduced::new(Quaternions, Autonomous(Automatic(Cubic)), isotropic(0.5), paths())
+                .with_solver(solver(tolerance))
+        });
+    }
+}
+
+type CubicSpin = NoisyReduced<Quaternions, Autonomous<Automatic<Cubic>>, IsotropicNoise>;
+
+fn in_lanes_and_alone(make: impl Fn() -> CubicSpin + Sync) {
     let ends = Mutex::new(vec![None; 19]);
     let first = |path| make().start(&on_path(spin(), path)).unwrap();
     Ensemble::new(Laned::widest(make())).stream(19, first, STEP, 60, |chunk| {
