@@ -121,6 +121,9 @@ impl<G: Cayley, const N: usize> Cayley for PowerGroup<G, N> {
     /// Returns (cay ξ₁, …, cay ξ_N), factor by factor.
     #[inline]
     fn cayley<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T> {
-        Power::from_factors(|n| self.0.cayley::<T>(&xi.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.cayley::<T>(&xi.0[n]),
+        )
     }
 }

@@ -139,6 +139,21 @@ impl<V: State, F: FnMut(usize, &[V], &mut V)> StageEquations<V> for F {
     }
 }
 
+/// Stage equations whose value is returned.
+struct OfClosure<F>(F);
+
+impl<V: State, F: Fn(usize, &[V]) -> V> StageEquations<V> for OfClosure<F> {
+    #[cfg_attr(optimised, inline(always))]
+    fn has_low_parts(&self) -> bool {
+        false
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn evaluate(&mut self, i: usize, k: &[V], _near: MaskOf<V>, value: &mut V) {
+        *value = (self.0)(i, k);
+    }
+}
+
 impl StageSolver {
     /// Solves k_i = `derivative`(i, k) for the stages `k` by fixed-point iteration, and returns the number of
     /// iterations.
@@ -160,8 +175,7 @@ impl StageSolver {
     ) -> Result<usize, StepError> {
         k.iter_mut().for_each(|k| k.assign(&start));
         let none = MaskOf::<V>::from_bool(false);
-        let mut stage = |i: usize, k: &[V], value: &mut V| *value = derivative(i, k);
-        self.solve_from(none, &OwnScale, k, &mut start, &mut unknown(), &mut stage)
+        self.solve_from(none, &OwnScale, k, &mut start, &mut unknown(), &mut OfClosure(derivative))
             .map_err(|unconverged| unconverged.error)
     }
 

@@ -11,7 +11,7 @@ use crate::open_systems::smooth_pieces::Window;
 use crate::open_systems::step_parts::StepParts;
 use crate::schemes::scheme::Step;
 use lie_poisson::nalgebra::Vector1;
-use lie_poisson::{Differential, Noise, OrbitField, Pair, Point, Real, Vector};
+use lie_poisson::{Differential, Noise, OrbitField, Pair, Point, PoissonSpace, Real, Vector};
 use momentum_map::{InvertibleMultipliers, LiftError, Multiplier};
 
 /// The collective midpoint rule of an [orbit field](OrbitField) ξ with [noise](Noise) σ_k, without a lift: the map of
@@ -101,6 +101,29 @@ impl<M, X, N> NoisyReduced<M, X, N> {
     }
 }
 
+/// The rate ζ = ξ + Σ_k w_k σ_k at a time.
+struct Rate<'a, X, N, T> {
+    field: &'a X,
+    noise: &'a N,
+    time: T,
+    weights: &'a [T],
+}
+
+impl<X, N, T: Real> Rate<'_, X, N, T> {
+    #[cfg_attr(optimised, inline(always))]
+    fn at<P: PoissonSpace>(&self, mu: &Point<P, T>) -> Differential<P, T>
+    where
+        X: OrbitField<P, T>,
+        N: Noise<P, T>,
+    {
+        let mut zeta = self.field.element(mu, self.time);
+        if !self.weights.is_empty() {
+            zeta += self.noise.element(mu, self.time, self.weights);
+        }
+        zeta
+    }
+}
+
 impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
     /// Returns Qₘ = (1 − hζ/2)⁻¹ for a rate ζ.
     #[cfg_attr(optimised, inline(always))]
@@ -125,18 +148,17 @@ impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
         let interval = self.paths.interval();
         let elapsed = T::from_f64(drift * step / interval);
         let time = window.nearest((clock.x + elapsed * 0.5) * interval);
-        let rate = |middle: &Point<M::Space, T>| {
-            let mut zeta = self.field.element(middle, time);
-            if !weights.is_empty() {
-                zeta += self.noise.element(middle, time, weights);
-            }
-            zeta
-        };
+        let rate = Rate { field: &self.field, noise: &self.noise, time, weights };
         let mut zeta = [Vector::zero()];
-        let sweep = |_: usize, zeta: &[Differential<M::Space, T>]| {
-            rate(&self.multipliers.transport::<T>(&self.middle::<T>(&zeta[0], step), mu))
-        };
-        let sweeps = self.solver.solve(rate(mu), &mut zeta, sweep)?;
+        let sweeps = self.solver.solve(
+            rate.at(mu),
+            &mut zeta,
+            #[cfg_attr(optimised, inline(always))]
+            |_: usize, zeta: &[Differential<M::Space, T>]| {
+                let middle = self.middle::<T>(&zeta[0], step);
+                rate.at(&self.multipliers.transport::<T>(&middle, mu))
+            },
+        )?;
         let [zeta] = zeta;
         let middle = self.middle::<T>(&zeta, step);
         let whole = middle + (middle - self.multipliers.one::<T>());

@@ -87,7 +87,10 @@ impl<A: LieAlgebra, const N: usize> LieAlgebra for PowerAlgebra<A, N> {
 
     #[inline]
     fn bracket<T: Real>(&self, xi: &Self::Element<T>, eta: &Self::Element<T>) -> Self::Element<T> {
-        Power::from_factors(|n| self.0.bracket::<T>(&xi.0[n], &eta.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.bracket::<T>(&xi.0[n], &eta.0[n]),
+        )
     }
 
     #[inline]
@@ -96,8 +99,10 @@ impl<A: LieAlgebra, const N: usize> LieAlgebra for PowerAlgebra<A, N> {
         xi: &Self::Element<T>,
         mu: &Momentum<Self, T>,
     ) -> Momentum<Self, T> {
-        let factor = |n: usize| self.0.coadjoint::<T>(&xi.0[n], &Covector(mu.0.0[n])).0;
-        Covector(Power::from_factors(factor))
+        Covector(Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.coadjoint::<T>(&xi.0[n], &Covector(mu.0.0[n])).0,
+        ))
     }
 }
 
@@ -118,15 +123,24 @@ impl<G: LieGroup, const N: usize> LieGroup for PowerGroup<G, N> {
     }
 
     fn compose<T: Real>(&self, g: &Self::Element<T>, h: &Self::Element<T>) -> Self::Element<T> {
-        Power::from_factors(|n| self.0.compose::<T>(&g.0[n], &h.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.compose::<T>(&g.0[n], &h.0[n]),
+        )
     }
 
     fn inverse<T: Real>(&self, g: &Self::Element<T>) -> Self::Element<T> {
-        Power::from_factors(|n| self.0.inverse::<T>(&g.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.inverse::<T>(&g.0[n]),
+        )
     }
 
     fn exp<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T> {
-        Power::from_factors(|n| self.0.exp::<T>(&xi.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.exp::<T>(&xi.0[n]),
+        )
     }
 
     fn adjoint<T: Real>(
@@ -134,6 +148,9 @@ impl<G: LieGroup, const N: usize> LieGroup for PowerGroup<G, N> {
         g: &Self::Element<T>,
         xi: &AlgebraElement<Self, T>,
     ) -> AlgebraElement<Self, T> {
-        Power::from_factors(|n| self.0.adjoint::<T>(&g.0[n], &xi.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.adjoint::<T>(&g.0[n], &xi.0[n]),
+        )
     }
 }

@@ -46,10 +46,13 @@ impl<P: PoissonSpace, const N: usize> PoissonSpace for PowerSpace<P, N> {
         z: &Point<Self, T>,
         dh: &Differential<Self, T>,
     ) -> Point<Self, T> {
-        Power::from_factors(|n| {
-            let part: Differential<P, T> = map_coordinates(&dh.0.0[n], |x| x);
-            self.0.hamiltonian_vector::<T>(&z.0[n], &part)
-        })
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| {
+                let part: Differential<P, T> = map_coordinates(&dh.0.0[n], |x| x);
+                self.0.hamiltonian_vector::<T>(&z.0[n], &part)
+            },
+        )
     }
 }
 

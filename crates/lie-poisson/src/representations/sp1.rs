@@ -82,7 +82,10 @@ impl<const N: usize> Representation for SP1OnQuaternions<N> {
     #[inline]
     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Self::Space<T>) -> Self::Space<T> {
         let half = Quaternion { scalar: T::zero(), vector: xi.scaled(T::from_f64(0.5)) };
-        Power::from_factors(|n| half * v.0[n])
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| half * v.0[n],
+        )
     }
 
     /// Returns ξᵀ α, which is conj(½ξ) α = −½ξ α in coordinates.
@@ -118,6 +121,9 @@ impl<const N: usize> GroupRepresentation for SP1OnQuaternions<N> {
 
     #[inline]
     fn transform<T: Real>(&self, g: &Quaternion<T>, v: &Self::Space<T>) -> Self::Space<T> {
-        Power::from_factors(|n| *g * v.0[n])
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| *g * v.0[n],
+        )
     }
 }

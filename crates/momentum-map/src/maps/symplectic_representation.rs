@@ -251,12 +251,18 @@ impl<R: SymplecticRepresentation, const N: usize> SymplecticRepresentation for D
 
     #[cfg_attr(optimised, inline(always))]
     fn sharp<T: Real>(&self, alpha: &Covector<Self::Space<T>>) -> Self::Space<T> {
-        Power::from_factors(|n| self.0.sharp::<T>(&Covector(alpha.0.0[n])))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.sharp::<T>(&Covector(alpha.0.0[n])),
+        )
     }
 
     #[cfg_attr(optimised, inline(always))]
     fn flat<T: Real>(&self, x: &Self::Space<T>) -> Covector<Self::Space<T>> {
-        Covector(Power::from_factors(|n| self.0.flat::<T>(&x.0[n]).0))
+        Covector(Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.flat::<T>(&x.0[n]).0,
+        ))
     }
 
     fn odd_powers_belong(&self) -> bool {

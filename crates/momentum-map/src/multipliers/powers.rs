@@ -52,7 +52,10 @@ where
         xi: &Power<A::Element<T>, N>,
         q: &Self::Multiplier<T>,
     ) -> Self::Multiplier<T> {
-        Power::from_factors(|n| self.0.generate::<T>(&xi.0[n], &q.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.generate::<T>(&xi.0[n], &q.0[n]),
+        )
     }
 
     #[cfg_attr(optimised, inline(always))]
@@ -61,8 +64,10 @@ where
         q: &Self::Multiplier<T>,
         mu: &Point<Self::Space, T>,
     ) -> Point<Self::Space, T> {
-        let factor = |n: usize| self.0.transport::<T>(&q.0[n], &Covector(mu.0.0[n])).0;
-        Covector(Power::from_factors(factor))
+        Covector(Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.transport::<T>(&q.0[n], &Covector(mu.0.0[n])).0,
+        ))
     }
 
     #[cfg_attr(optimised, inline(always))]
@@ -71,8 +76,10 @@ where
         q: &Self::Multiplier<T>,
         mu: &Point<Self::Space, T>,
     ) -> Point<Self::Space, T> {
-        let factor = |n: usize| self.0.coadjoint_change::<T>(&q.0[n], &Covector(mu.0.0[n])).0;
-        Covector(Power::from_factors(factor))
+        Covector(Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.coadjoint_change::<T>(&q.0[n], &Covector(mu.0.0[n])).0,
+        ))
     }
 
     #[cfg_attr(optimised, inline(always))]
@@ -81,11 +88,17 @@ where
         q: &Self::Multiplier<T>,
         b: &Self::Multiplier<T>,
     ) -> Self::Multiplier<T> {
-        Power::from_factors(|n| self.0.product::<T>(&q.0[n], &b.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.product::<T>(&q.0[n], &b.0[n]),
+        )
     }
 
     #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, b: &Self::Multiplier<T>) -> Self::Multiplier<T> {
-        Power::from_factors(|n| self.0.inverse::<T>(&b.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.inverse::<T>(&b.0[n]),
+        )
     }
 }

@@ -23,7 +23,10 @@ impl<R: Representation, const N: usize> Representation for Diagonal<R, N> {
 
     #[inline]
     fn act<T: Real>(&self, xi: &RepresentedElement<R, T>, v: &Self::Space<T>) -> Self::Space<T> {
-        Power::from_factors(|n| self.0.act::<T>(xi, &v.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.act::<T>(xi, &v.0[n]),
+        )
     }
 
     #[inline]
@@ -32,8 +35,10 @@ impl<R: Representation, const N: usize> Representation for Diagonal<R, N> {
         xi: &RepresentedElement<R, T>,
         alpha: &Covector<Self::Space<T>>,
     ) -> Covector<Self::Space<T>> {
-        let part = |n: usize| self.0.transpose_act::<T>(xi, &Covector(alpha.0.0[n])).0;
-        Covector(Power::from_factors(part))
+        Covector(Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.transpose_act::<T>(xi, &Covector(alpha.0.0[n])).0,
+        ))
     }
 
     /// Returns the sum Σ vₙ ◇ αₙ.
@@ -62,7 +67,10 @@ impl<R: GroupRepresentation, const N: usize> GroupRepresentation for Diagonal<R,
         g: &<R::Group as LieGroup>::Element<T>,
         v: &Self::Space<T>,
     ) -> Self::Space<T> {
-        Power::from_factors(|n| self.0.transform::<T>(g, &v.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.transform::<T>(g, &v.0[n]),
+        )
     }
 
     #[inline]
@@ -71,6 +79,9 @@ impl<R: GroupRepresentation, const N: usize> GroupRepresentation for Diagonal<R,
         xi: &AlgebraElement<R::Group, T>,
         phi: &Self::Space<T>,
     ) -> Self::Space<T> {
-        Power::from_factors(|n| self.0.exp_integral::<T>(xi, &phi.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.exp_integral::<T>(xi, &phi.0[n]),
+        )
     }
 }

@@ -44,7 +44,10 @@ where
 
     #[cfg_attr(optimised, inline(always))]
     fn apply<T: Real>(&self, z: &SourcePoint<Self, T>) -> TargetPoint<Self, T> {
-        Covector(Power::from_factors(|n| self.0.apply::<T>(&z.0[n]).0))
+        Covector(Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.apply::<T>(&z.0[n]).0,
+        ))
     }
 
     /// Returns the pull-backs of the N parts of α by the map.
@@ -54,8 +57,10 @@ where
         alpha: &TargetDifferential<Self, T>,
         z: &SourcePoint<Self, T>,
     ) -> Differential<Self::Source, T> {
-        let part = |n: usize| self.0.pull_back::<T>(&alpha.0[n], &z.0[n]);
-        Covector(Power::from_factors(|n| map_coordinates(&part(n), |x| x)))
+        Covector(Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| map_coordinates(&self.0.pull_back::<T>(&alpha.0[n], &z.0[n]), |x| x),
+        ))
     }
 
     #[cfg_attr(optimised, inline(always))]
@@ -64,7 +69,10 @@ where
         alpha: &TargetDifferential<Self, T>,
         z: &SourcePoint<Self, T>,
     ) -> SourcePoint<Self, T> {
-        Power::from_factors(|n| self.0.generator::<T>(&alpha.0[n], &z.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.generator::<T>(&alpha.0[n], &z.0[n]),
+        )
     }
 
     fn equivariant_maps_descend(&self) -> bool {
@@ -73,7 +81,10 @@ where
 
     #[cfg_attr(optimised, inline(always))]
     fn gauge<T: Real>(&self, z: &SourcePoint<Self, T>) -> SourcePoint<Self, T> {
-        Power::from_factors(|n| self.0.gauge::<T>(&z.0[n]))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.gauge::<T>(&z.0[n]),
+        )
     }
 
     fn recentred<T: Real>(
@@ -81,7 +92,10 @@ where
         z: &SourcePoint<Self, T>,
         space: &mut RecentringWorkspace<T>,
     ) -> SourcePoint<Self, T> {
-        Power::from_factors(|n| self.0.recentred::<T>(&z.0[n], space))
+        Power::from_factors(
+            #[cfg_attr(optimised, inline(always))]
+            |n| self.0.recentred::<T>(&z.0[n], space),
+        )
     }
 }
 
