@@ -35,7 +35,7 @@ pub trait Cayley: LieGroup {
 
 impl<const N: usize> Cayley for RealSpace<N> {
     /// Returns the translation by ξ.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn cayley<T: Real>(&self, xi: &SVector<T, N>) -> SVector<T, N> {
         *xi
     }
@@ -52,7 +52,7 @@ impl Cayley for SO2 {
 
 impl Cayley for SO3 {
     /// Returns the rotation matrix I + (X + ½X²)/(1 + ¼|ξ|²), where X = hat(ξ).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Matrix3<T> {
         let (hat, x) = (So3.hat(xi), xi.dot(xi) * 0.25);
         Matrix3::identity() + (hat + hat * hat * T::from_f64(0.5)) / (x + 1.0)
@@ -61,7 +61,7 @@ impl Cayley for SO3 {
 
 impl Cayley for SU2 {
     /// Returns the unitary matrix ((1 − |ξ|²/16) I + ξ)/(1 + |ξ|²/16).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Matrix2<Complex<T>> {
         let x = xi.dot(xi) * 0.0625;
         let (one, scale) = (-x + 1.0, T::one() / (x + 1.0));
@@ -73,7 +73,7 @@ impl Cayley for SU2 {
 
 impl Cayley for SP1 {
     /// Returns the unit quaternion (1 − |ξ|²/16 + ½ξ)/(1 + |ξ|²/16).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Quaternion<T> {
         let x = xi.dot(xi) * 0.0625;
         let size = x + 1.0;
@@ -84,7 +84,7 @@ impl Cayley for SP1 {
 impl Cayley for SL2 {
     /// Returns the matrix ((1 − d/4) I + ξ)/(1 + d/4) with d = det ξ; not finite for d = −4, where I − ξ/2 is
     /// singular.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn cayley<T: Real>(&self, xi: &Vector3<T>) -> Matrix2<T> {
         let d = Sl2.determinant(xi) * 0.25;
         (Sl2.matrix(xi) + Matrix2::from_diagonal_element(-d + 1.0)) / (d + 1.0)
@@ -93,7 +93,7 @@ impl Cayley for SL2 {
 
 impl Cayley for SE2 {
     /// Returns (cay ω, (I − ½ωJ)⁻¹ φ), with (I − ½ωJ)⁻¹ = ½(I + cay ω).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn cayley<T: Real>(&self, xi: &Pair<Vector1<T>, Vector2<T>>) -> Pair<Matrix2<T>, Vector2<T>> {
         let turn = SO2.cayley(&xi.0);
         Pair(turn, (turn * xi.1 + xi.1) * T::from_f64(0.5))
@@ -102,7 +102,7 @@ impl Cayley for SE2 {
 
 impl Cayley for SE3 {
     /// Returns (cay ξ, (I − ½X)⁻¹ φ), where X = hat(ξ) and (I − ½X)⁻¹ = ½(I + cay ξ).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn cayley<T: Real>(&self, xi: &Pair<Vector3<T>, Vector3<T>>) -> Pair<Matrix3<T>, Vector3<T>> {
         let turn = SO3.cayley(&xi.0);
         Pair(turn, (turn * xi.1 + xi.1) * T::from_f64(0.5))
@@ -111,7 +111,7 @@ impl Cayley for SE3 {
 
 impl<G: Cayley, H: Cayley> Cayley for ProductGroup<G, H> {
     /// Returns (cay ξ, cay η), factor by factor.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn cayley<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T> {
         Pair(self.0.cayley::<T>(&xi.0), self.1.cayley::<T>(&xi.1))
     }
@@ -119,7 +119,7 @@ impl<G: Cayley, H: Cayley> Cayley for ProductGroup<G, H> {
 
 impl<G: Cayley, const N: usize> Cayley for PowerGroup<G, N> {
     /// Returns (cay ξ₁, …, cay ξ_N), factor by factor.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn cayley<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T> {
         Power::from_factors(
             #[cfg_attr(optimised, inline(always))]

@@ -49,7 +49,7 @@ pub trait LieAlgebra: Clone {
     /// The definition contains no sign, so ad∗ is an antirepresentation: `ad∗_[ξ,η] = −[ad∗_ξ, ad∗_η]`.
     ///
     /// Source: Marsden & Ratiu, *Introduction to Mechanics and Symmetry*, 2nd ed., §9.3.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         xi: &Self::Element<T>,

@@ -102,7 +102,7 @@ pub trait LieGroup: Clone {
     /// ⟨Ad*_g μ, ξ⟩ = ⟨μ, Ad_g ξ⟩
     /// Ad*_gh = Ad*_h Ad*_g
     /// ```
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         g: &Self::Element<T>,

@@ -22,12 +22,12 @@ pub struct ProductAlgebra<A, B>(pub A, pub B);
 impl<A: LieAlgebra, B: LieAlgebra> LieAlgebra for ProductAlgebra<A, B> {
     type Element<T: Real> = Pair<A::Element<T>, B::Element<T>>;
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn bracket<T: Real>(&self, xi: &Self::Element<T>, eta: &Self::Element<T>) -> Self::Element<T> {
         Pair(self.0.bracket::<T>(&xi.0, &eta.0), self.1.bracket::<T>(&xi.1, &eta.1))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         xi: &Self::Element<T>,
@@ -85,7 +85,7 @@ pub struct PowerAlgebra<A, const N: usize>(pub A);
 impl<A: LieAlgebra, const N: usize> LieAlgebra for PowerAlgebra<A, N> {
     type Element<T: Real> = Power<A::Element<T>, N>;
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn bracket<T: Real>(&self, xi: &Self::Element<T>, eta: &Self::Element<T>) -> Self::Element<T> {
         Power::from_factors(
             #[cfg_attr(optimised, inline(always))]
@@ -93,7 +93,7 @@ impl<A: LieAlgebra, const N: usize> LieAlgebra for PowerAlgebra<A, N> {
         )
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         xi: &Self::Element<T>,

@@ -53,7 +53,7 @@ impl Casimirs for So3 {
     const COUNT: usize = 1;
 
     /// Returns the Casimir |Π|².
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         if index == 0 { mu.0.dot(&mu.0) } else { T::zero() }
     }
@@ -63,7 +63,7 @@ impl Casimirs for Su2 {
     const COUNT: usize = 1;
 
     /// Returns the Casimir |μ|².
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         So3.casimir(index, mu)
     }
@@ -73,7 +73,7 @@ impl Casimirs for Se3 {
     const COUNT: usize = 2;
 
     /// Returns the Casimir f₁ = |Γ|² (index 0) or f₂ = Π·Γ (index 1). Source: Ohsawa 2019, §4.2.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let (pi, gamma) = (mu.0.0, mu.0.1);
         match index {
@@ -88,7 +88,7 @@ impl Casimirs for Se2 {
     const COUNT: usize = 1;
 
     /// Returns the Casimir |Γ|² of (Π, Γ) ∈ R × R².
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let gamma = mu.0.1;
         if index == 0 { gamma.dot(&gamma) } else { T::zero() }
@@ -99,7 +99,7 @@ impl Casimirs for SemidirectAlgebra<SU2OnC2> {
     const COUNT: usize = 1;
 
     /// Returns the Casimir ‖α‖² of (μ, α) ∈ su(2)∗ × (C²)∗, since SU(2) is transitive on the spheres of C².
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let alpha = mu.0.1;
         if index == 0 { alpha.pairing(&Covector(alpha)) } else { T::zero() }
@@ -113,7 +113,7 @@ impl Casimirs for Sl2 {
     ///
     /// It is −det of the matrix that represents μ by the trace form ⟨μ, ξ⟩ = tr(mξ). It is negative on the
     /// elliptic orbits and positive on the hyperbolic ones.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let m = mu.0;
         if index == 0 { m.x * m.x * 0.25 + m.y * m.z } else { T::zero() }
@@ -124,7 +124,7 @@ impl Casimirs for So2 {
     const COUNT: usize = 1;
 
     /// Returns the momentum itself, since the algebra is abelian.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         mu.coordinate(index)
     }
@@ -134,7 +134,7 @@ impl<const N: usize> Casimirs for RealSpace<N> {
     const COUNT: usize = N;
 
     /// Returns the coordinate with the given index, since the algebra is abelian.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         mu.coordinate(index)
     }
@@ -157,7 +157,7 @@ impl<A: Casimirs, B: Casimirs> Casimirs for ProductAlgebra<A, B> {
 
     /// Returns the Casimir with the given index. The Casimirs of the first factor come first, then those of the
     /// second.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         if index < A::COUNT {
             self.0.casimir::<T>(index, &Covector(mu.0.0))
@@ -172,7 +172,7 @@ impl<A: Casimirs, const N: usize> Casimirs for PowerAlgebra<A, N> {
 
     /// Returns the Casimir with the given index. The Casimirs of the first factor come first, then those of the
     /// second, and so on.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn casimir<T: Real>(&self, index: usize, mu: &Momentum<Self, T>) -> T {
         let count = A::COUNT.max(1);
         let factor = mu.0.0.get(index / count);

@@ -17,7 +17,7 @@ impl<P: VectorSpace, Q: VectorSpace> VectorSpace for ProductSpace<P, Q> {
 }
 
 impl<P: PoissonSpace, Q: PoissonSpace> PoissonSpace for ProductSpace<P, Q> {
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn hamiltonian_vector<T: Real>(
         &self,
         z: &Point<Self, T>,
@@ -40,7 +40,7 @@ impl<P: VectorSpace, const N: usize> VectorSpace for PowerSpace<P, N> {
 }
 
 impl<P: PoissonSpace, const N: usize> PoissonSpace for PowerSpace<P, N> {
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn hamiltonian_vector<T: Real>(
         &self,
         z: &Point<Self, T>,

@@ -9,7 +9,7 @@ use nalgebra::SVector;
 impl<const N: usize> LieAlgebra for RealSpace<N> {
     type Element<T: Real> = SVector<T, N>;
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn bracket<T: Real>(&self, _: &SVector<T, N>, _: &SVector<T, N>) -> SVector<T, N> {
         Vector::zero()
     }
@@ -24,29 +24,29 @@ impl<const N: usize> LieGroup for RealSpace<N> {
         *self
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn identity<T: Real>(&self) -> SVector<T, N> {
         Vector::zero()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn compose<T: Real>(&self, g: &SVector<T, N>, h: &SVector<T, N>) -> SVector<T, N> {
         g + h
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, g: &SVector<T, N>) -> SVector<T, N> {
         -g
     }
 
     /// Returns ξ itself: exp is the identity.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp<T: Real>(&self, xi: &SVector<T, N>) -> SVector<T, N> {
         *xi
     }
 
     /// Returns ξ itself: Ad_g is the identity.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn adjoint<T: Real>(&self, _: &SVector<T, N>, xi: &SVector<T, N>) -> SVector<T, N> {
         *xi
     }

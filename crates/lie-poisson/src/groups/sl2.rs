@@ -25,13 +25,13 @@ impl Sl2 {
     /// let (a, b) = (Sl2.matrix(&xi), Sl2.matrix(&eta));
     /// assert_eq!(a * b - b * a, Sl2.matrix(&Sl2.bracket(&xi, &eta)));
     /// ```
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub fn matrix<T: Real>(&self, xi: &Vector3<T>) -> Matrix2<T> {
         Matrix2::new(xi.x, xi.y, xi.z, -xi.x)
     }
 
     /// Returns the coordinates of a traceless matrix; for any other matrix, those of its traceless part.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub fn coordinates<T: Real>(&self, xi: &Matrix2<T>) -> Vector3<T> {
         Vector3::new((xi.m11 - xi.m22) * 0.5, xi.m12, xi.m21)
     }
@@ -39,7 +39,7 @@ impl Sl2 {
     /// Returns det ξ = −a² − bc, positive for elliptic and negative for hyperbolic elements.
     ///
     /// It satisfies ξ² = −(det ξ) I.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub fn determinant<T: Real>(&self, xi: &Vector3<T>) -> T {
         -(xi.x * xi.x + xi.y * xi.z)
     }
@@ -48,14 +48,14 @@ impl Sl2 {
 impl LieAlgebra for Sl2 {
     type Element<T: Real> = Vector3<T>;
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn bracket<T: Real>(&self, xi: &Vector3<T>, eta: &Vector3<T>) -> Vector3<T> {
         let c = xi.cross(eta);
         Vector3::new(c.x, c.z + c.z, c.y + c.y)
     }
 
     /// Returns ad∗_ξ μ = (α, 2γ, 2β) × ξ for μ = (α, β, γ).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         xi: &Vector3<T>,
@@ -78,18 +78,18 @@ impl LieGroup for SL2 {
         Sl2
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn identity<T: Real>(&self) -> Matrix2<T> {
         Matrix2::identity()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn compose<T: Real>(&self, g: &Matrix2<T>, h: &Matrix2<T>) -> Matrix2<T> {
         g * h
     }
 
     /// Returns the inverse of g, its adjugate matrix.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, g: &Matrix2<T>) -> Matrix2<T> {
         Matrix2::new(g.m22, -g.m12, -g.m21, g.m11)
     }
@@ -98,14 +98,14 @@ impl LieGroup for SL2 {
     ///
     /// These are circular functions for elliptic elements and hyperbolic ones for hyperbolic elements,
     /// without a branch.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp<T: Real>(&self, xi: &Vector3<T>) -> Matrix2<T> {
         let x = Sl2.determinant(xi);
         Matrix2::from_diagonal_element(x.stumpff(0)) + Sl2.matrix(xi) * x.stumpff(1)
     }
 
     /// Returns the coordinates of `Ad_g ξ = g ξ g⁻¹`.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn adjoint<T: Real>(&self, g: &Matrix2<T>, xi: &Vector3<T>) -> Vector3<T> {
         Sl2.coordinates(&(g * Sl2.matrix(xi) * self.inverse(g)))
     }

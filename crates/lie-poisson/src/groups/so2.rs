@@ -12,7 +12,7 @@ pub struct So2;
 impl LieAlgebra for So2 {
     type Element<T: Real> = Vector1<T>;
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn bracket<T: Real>(&self, _: &Vector1<T>, _: &Vector1<T>) -> Vector1<T> {
         Vector::zero()
     }
@@ -30,23 +30,23 @@ impl LieGroup for SO2 {
         So2
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn identity<T: Real>(&self) -> Matrix2<T> {
         Matrix2::identity()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn compose<T: Real>(&self, g: &Matrix2<T>, h: &Matrix2<T>) -> Matrix2<T> {
         g * h
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, g: &Matrix2<T>) -> Matrix2<T> {
         g.transpose()
     }
 
     /// Returns the rotation matrix [cos ω −sin ω; sin ω cos ω], with ω in radians.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp<T: Real>(&self, xi: &Vector1<T>) -> Matrix2<T> {
         let x = xi.x * xi.x;
         let (cosine, sine) = (x.stumpff(0), xi.x * x.stumpff(1));
@@ -54,7 +54,7 @@ impl LieGroup for SO2 {
     }
 
     /// Returns ξ itself: Ad_g is the identity.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn adjoint<T: Real>(&self, _: &Matrix2<T>, xi: &Vector1<T>) -> Vector1<T> {
         *xi
     }

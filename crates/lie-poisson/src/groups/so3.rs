@@ -66,17 +66,17 @@ impl LieGroup for SO3 {
         So3
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn identity<T: Real>(&self) -> Matrix3<T> {
         Matrix3::identity()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn compose<T: Real>(&self, g: &Matrix3<T>, h: &Matrix3<T>) -> Matrix3<T> {
         g * h
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, g: &Matrix3<T>) -> Matrix3<T> {
         g.transpose()
     }
@@ -84,20 +84,20 @@ impl LieGroup for SO3 {
     /// Returns exp ξ = I + c₁(|ξ|²) X + c₂(|ξ|²) X² with X = hat(ξ), which is Rodrigues' formula.
     ///
     /// c₁ and c₂ are [Stumpff functions](Real::stumpff). Angles are in radians.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp<T: Real>(&self, xi: &Vector3<T>) -> Matrix3<T> {
         let (hat, x) = (So3.hat(xi), xi.dot(xi));
         Matrix3::identity() + hat * x.stumpff(1) + hat * hat * x.stumpff(2)
     }
 
     /// Returns the rotated vector `Ad_R ξ = R ξ`.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn adjoint<T: Real>(&self, g: &Matrix3<T>, xi: &Vector3<T>) -> Vector3<T> {
         g * xi
     }
 
     /// Returns the rotated vector `Ad∗_R μ = Rᵀ μ`.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         g: &Matrix3<T>,

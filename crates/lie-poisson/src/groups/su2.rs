@@ -28,7 +28,7 @@ impl Su2 {
     /// let trace = (a.map(|z| z.conj()).transpose() * b).trace();
     /// assert_eq!(2.0 * trace.re, xi.dot(&eta));
     /// ```
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub fn matrix<T: Real>(&self, xi: &Vector3<T>) -> Matrix2<Complex<T>> {
         let half = xi * T::from_f64(0.5);
         let entry = |re, im| Complex { re, im };
@@ -50,7 +50,7 @@ impl Su2 {
     /// let xi = Vector3::new(1.0, 2.0, 3.0);
     /// assert_eq!(Su2.coordinates(&Su2.matrix(&xi)), xi);
     /// ```
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub fn coordinates<T: Real>(&self, xi: &Matrix2<Complex<T>>) -> Vector3<T> {
         Vector3::new(-(xi.m12.im + xi.m21.im), xi.m21.re - xi.m12.re, xi.m22.im - xi.m11.im)
     }
@@ -59,12 +59,12 @@ impl Su2 {
 impl LieAlgebra for Su2 {
     type Element<T: Real> = Vector3<T>;
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn bracket<T: Real>(&self, xi: &Vector3<T>, eta: &Vector3<T>) -> Vector3<T> {
         So3.bracket(xi, eta)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         xi: &Vector3<T>,
@@ -88,7 +88,7 @@ impl SU2 {
     /// let difference = SU2.rotation(&SU2.exp(&xi)) - SO3.exp(&xi);
     /// assert!(difference.amax() < 1e-15);
     /// ```
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub fn rotation<T: Real>(&self, u: &Matrix2<Complex<T>>) -> Matrix3<T> {
         let column = |v: Vector3<T>| Su2.coordinates(&(u * Su2.matrix(&v) * self.inverse(u)));
         Matrix3::from_columns(&[Vector3::x(), Vector3::y(), Vector3::z()].map(column))
@@ -103,12 +103,12 @@ impl LieGroup for SU2 {
         Su2
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn identity<T: Real>(&self) -> Matrix2<Complex<T>> {
         Matrix2::identity()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn compose<T: Real>(
         &self,
         g: &Matrix2<Complex<T>>,
@@ -118,7 +118,7 @@ impl LieGroup for SU2 {
     }
 
     /// Returns the inverse U∗ of a unitary matrix.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, g: &Matrix2<Complex<T>>) -> Matrix2<Complex<T>> {
         g.map(|z| z.conj()).transpose()
     }
@@ -127,7 +127,7 @@ impl LieGroup for SU2 {
     ///
     /// c₀ and c₁ are [Stumpff functions](Real::stumpff). Angles are in radians, and exp is periodic in |ξ|
     /// with period 4π along each axis.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp<T: Real>(&self, xi: &Vector3<T>) -> Matrix2<Complex<T>> {
         let x = xi.dot(xi) * 0.25;
         let cosine = Complex { re: x.stumpff(0), im: T::zero() };
@@ -135,13 +135,13 @@ impl LieGroup for SU2 {
     }
 
     /// Returns the coordinates of `Ad_U ξ = U ξ U∗`.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn adjoint<T: Real>(&self, g: &Matrix2<Complex<T>>, xi: &Vector3<T>) -> Vector3<T> {
         Su2.coordinates(&(g * Su2.matrix(xi) * self.inverse(g)))
     }
 
     /// Returns the coordinates of `Ad∗_U μ = U∗ μ U`.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         g: &Matrix2<Complex<T>>,

@@ -127,7 +127,7 @@ pub struct UnitaryAlgebra<const N: usize>;
 impl<const N: usize> LieAlgebra for UnitaryAlgebra<N> {
     type Element<T: Real> = SkewHermitian<T, N>;
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn bracket<T: Real>(
         &self,
         xi: &SkewHermitian<T, N>,
@@ -137,7 +137,7 @@ impl<const N: usize> LieAlgebra for UnitaryAlgebra<N> {
     }
 
     /// Returns the momentum of the matrix Hξ − ξH, for the Hermitian matrix H of μ.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         xi: &SkewHermitian<T, N>,
@@ -152,7 +152,7 @@ impl<const N: usize> UnitaryAlgebra<N> {
     /// Returns the Hermitian matrix H of a momentum, with ⟨μ, ξ⟩ = Re tr((iH)∗ ξ) = Im tr(Hξ).
     ///
     /// In terms of H, `ad∗_ξ μ` is Hξ − ξH and `Ad∗_U μ` is U∗HU.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub fn hermitian<T: Real>(
         &self,
         mu: &Covector<SkewHermitian<T, N>>,
@@ -167,7 +167,7 @@ impl<const N: usize> UnitaryAlgebra<N> {
     /// Returns the momentum of a Hermitian matrix, the inverse of [`hermitian`](Self::hermitian).
     ///
     /// For any other matrix it is the momentum of its Hermitian part.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub fn momentum<T: Real>(
         &self,
         h: &SMatrix<Complex<T>, N, N>,
@@ -192,12 +192,12 @@ impl<const N: usize> LieGroup for UnitaryGroup<N> {
         UnitaryAlgebra
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn identity<T: Real>(&self) -> SMatrix<Complex<T>, N, N> {
         SMatrix::identity()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn compose<T: Real>(
         &self,
         g: &SMatrix<Complex<T>, N, N>,
@@ -207,7 +207,7 @@ impl<const N: usize> LieGroup for UnitaryGroup<N> {
     }
 
     /// Returns the inverse U∗ of a unitary matrix.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, g: &SMatrix<Complex<T>, N, N>) -> SMatrix<Complex<T>, N, N> {
         adjoint(g)
     }
@@ -225,7 +225,7 @@ impl<const N: usize> LieGroup for UnitaryGroup<N> {
     }
 
     /// Returns the conjugate `Ad_U ξ = U ξ U∗`.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn adjoint<T: Real>(
         &self,
         g: &SMatrix<Complex<T>, N, N>,
@@ -235,7 +235,7 @@ impl<const N: usize> LieGroup for UnitaryGroup<N> {
     }
 
     /// Returns `Ad∗_U μ`, the momentum of the matrix U∗HU, for the Hermitian matrix H of μ.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         g: &SMatrix<Complex<T>, N, N>,

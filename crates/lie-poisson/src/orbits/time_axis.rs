@@ -18,7 +18,7 @@ impl VectorSpace for TimeAxis {
 }
 
 impl PoissonSpace for TimeAxis {
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn hamiltonian_vector<T: Real>(
         &self,
         _: &Point<Self, T>,

@@ -52,13 +52,13 @@ impl GroupRepresentation for SO3OnR3 {
         SO3
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transform<T: Real>(&self, g: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
         g * v
     }
 
     /// Returns φ + c₂ ξ×φ + c₃ ξ×(ξ×φ), with Stumpff functions of |ξ|².
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp_integral<T: Real>(&self, xi: &Vector3<T>, phi: &Vector3<T>) -> Vector3<T> {
         let (x, turned) = (xi.dot(xi), xi.cross(phi));
         phi + turned * x.stumpff(2) + xi.cross(&turned) * x.stumpff(3)
@@ -110,13 +110,13 @@ impl GroupRepresentation for SO2OnR2 {
         SO2
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transform<T: Real>(&self, g: &Matrix2<T>, v: &Vector2<T>) -> Vector2<T> {
         g * v
     }
 
     /// Returns c₁(ω²) φ + c₂(ω²) ω (−φ₂, φ₁), with Stumpff functions.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp_integral<T: Real>(&self, xi: &Vector1<T>, phi: &Vector2<T>) -> Vector2<T> {
         let x = xi.x * xi.x;
         phi * x.stumpff(1) + self.act(xi, phi) * x.stumpff(2)
@@ -169,13 +169,13 @@ impl GroupRepresentation for SL2OnR2 {
         SL2
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transform<T: Real>(&self, g: &Matrix2<T>, v: &Vector2<T>) -> Vector2<T> {
         g * v
     }
 
     /// Returns c₁(det ξ) φ + c₂(det ξ) ξφ, since ξ² = −(det ξ) I.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp_integral<T: Real>(&self, xi: &Vector3<T>, phi: &Vector2<T>) -> Vector2<T> {
         let x = Sl2.determinant(xi);
         phi * x.stumpff(1) + self.act(xi, phi) * x.stumpff(2)

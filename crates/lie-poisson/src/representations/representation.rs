@@ -51,7 +51,7 @@ pub trait Representation: Clone {
     fn act<T: Real>(&self, xi: &RepresentedElement<Self, T>, v: &Self::Space<T>) -> Self::Space<T>;
 
     /// Returns ξᵀ α ∈ V∗ for the transpose of the action: ⟨ξᵀα, v⟩ = ⟨α, ξv⟩.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &RepresentedElement<Self, T>,
@@ -64,7 +64,7 @@ pub trait Representation: Clone {
     ///
     /// Source: Holm, Marsden & Ratiu, *The Euler–Poincaré equations and semidirect products*,
     /// Adv. Math. 137 (1998), eq. (1.2).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Self::Space<T>,

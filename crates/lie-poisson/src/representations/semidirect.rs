@@ -72,32 +72,32 @@ impl<R: GroupRepresentation> LieGroup for SemidirectGroup<R> {
         SemidirectAlgebra(self.0.clone())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn identity<T: Real>(&self) -> Self::Element<T> {
         Pair(self.0.group().identity::<T>(), Vector::zero())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn compose<T: Real>(&self, g: &Self::Element<T>, h: &Self::Element<T>) -> Self::Element<T> {
         Pair(self.0.group().compose::<T>(&g.0, &h.0), self.0.transform::<T>(&g.0, &h.1) + g.1)
     }
 
     /// Returns the inverse (g⁻¹, −g⁻¹ v).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, g: &Self::Element<T>) -> Self::Element<T> {
         let inverse = self.0.group().inverse::<T>(&g.0);
         Pair(inverse, -self.0.transform::<T>(&inverse, &g.1))
     }
 
     /// Returns (exp ξ, ∫₀¹ exp(σξ) φ dσ). Source: Ohsawa 2019, §2.3.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp<T: Real>(&self, xi: &AlgebraElement<Self, T>) -> Self::Element<T> {
         let Pair(xi, phi) = xi;
         Pair(self.0.group().exp::<T>(xi), self.0.exp_integral::<T>(xi, phi))
     }
 
     /// Returns Ad_(g,v) (ξ, φ) = (Ad_g ξ, gφ − (Ad_g ξ) v).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn adjoint<T: Real>(
         &self,
         g: &Self::Element<T>,

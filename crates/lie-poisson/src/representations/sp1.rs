@@ -29,35 +29,35 @@ impl LieGroup for SP1 {
         Su2
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn identity<T: Real>(&self) -> Quaternion<T> {
         Quaternion::one()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn compose<T: Real>(&self, g: &Quaternion<T>, h: &Quaternion<T>) -> Quaternion<T> {
         *g * *h
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn inverse<T: Real>(&self, g: &Quaternion<T>) -> Quaternion<T> {
         g.conjugate()
     }
 
     /// Returns the unit quaternion cos(|ξ|/2) + sin(|ξ|/2) ξ/|ξ|.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp<T: Real>(&self, xi: &Vector3<T>) -> Quaternion<T> {
         let x = xi.dot(xi) * 0.25;
         Quaternion { scalar: x.stumpff(0), vector: xi * (x.stumpff(1) * 0.5) }
     }
 
     /// Returns Ad_q ξ = q ξ conj(q).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn adjoint<T: Real>(&self, g: &Quaternion<T>, xi: &Vector3<T>) -> Vector3<T> {
         g.sandwich(xi)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         g: &Quaternion<T>,
@@ -79,7 +79,7 @@ impl<const N: usize> Representation for SP1OnQuaternions<N> {
         Su2
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &Vector3<T>, v: &Self::Space<T>) -> Self::Space<T> {
         let half = Quaternion { scalar: T::zero(), vector: xi.scaled(T::from_f64(0.5)) };
         Power::from_factors(
@@ -89,7 +89,7 @@ impl<const N: usize> Representation for SP1OnQuaternions<N> {
     }
 
     /// Returns ξᵀ α, which is conj(½ξ) α = −½ξ α in coordinates.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &Vector3<T>,
@@ -99,7 +99,7 @@ impl<const N: usize> Representation for SP1OnQuaternions<N> {
     }
 
     /// Returns the diamond product `v ◇ α` = ½ Im Σ αₙ conj(vₙ).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Self::Space<T>,
@@ -119,7 +119,7 @@ impl<const N: usize> GroupRepresentation for SP1OnQuaternions<N> {
         SP1
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transform<T: Real>(&self, g: &Quaternion<T>, v: &Self::Space<T>) -> Self::Space<T> {
         Power::from_factors(
             #[cfg_attr(optimised, inline(always))]

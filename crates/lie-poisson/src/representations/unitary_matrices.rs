@@ -38,7 +38,7 @@ impl Representation for SU2OnC2 {
     }
 
     /// Returns ξᵀ α, which is ξ∗ α = −ξ α in coordinates.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &Vector3<T>,
@@ -73,7 +73,7 @@ impl GroupRepresentation for SU2OnC2 {
         SU2
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transform<T: Real>(
         &self,
         g: &Matrix2<Complex<T>>,
@@ -83,7 +83,7 @@ impl GroupRepresentation for SU2OnC2 {
     }
 
     /// Returns c₁(y) φ + c₂(y) ξφ with y = |ξ|²/4, since ξ² = −y I.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp_integral<T: Real>(
         &self,
         xi: &Vector3<T>,
@@ -106,7 +106,7 @@ impl<const N: usize> Representation for UnitaryOnComplexSpace<N> {
         UnitaryAlgebra
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(
         &self,
         xi: &SkewHermitian<T, N>,
@@ -116,7 +116,7 @@ impl<const N: usize> Representation for UnitaryOnComplexSpace<N> {
     }
 
     /// Returns ξᵀ α, which is ξ∗ α = −ξ α in coordinates.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &SkewHermitian<T, N>,
@@ -126,7 +126,7 @@ impl<const N: usize> Representation for UnitaryOnComplexSpace<N> {
     }
 
     /// Returns the diamond product `v ◇ α`, the momentum of the matrix −i α v∗, since ⟨α, ηv⟩ = Re tr((αv∗)∗ η).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &SVector<Complex<T>, N>,
@@ -144,7 +144,7 @@ impl<const N: usize> GroupRepresentation for UnitaryOnComplexSpace<N> {
         UnitaryGroup
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transform<T: Real>(
         &self,
         g: &SMatrix<Complex<T>, N, N>,

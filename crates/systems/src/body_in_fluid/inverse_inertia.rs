@@ -43,7 +43,7 @@ impl InverseInertia {
     }
 
     /// Returns the velocities (Ω, v) = (AΠ + BP, BᵀΠ + CP).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn velocity<T: Real>(
         &self,
         pi: &Vector3<T>,

@@ -73,7 +73,7 @@ impl Gyrostat {
     }
 
     /// Returns Π − ℓ, the part of Π that moves with the body.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn relative<T: Real>(&self, pi: &Vector3<T>) -> Vector3<T> {
         pi - self.rotor.map(T::from_f64)
     }

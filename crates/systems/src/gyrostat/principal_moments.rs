@@ -30,7 +30,7 @@ impl PrincipalMoments {
     }
 
     /// Returns the angular velocity I⁻¹Π, rad/s.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn angular_velocity<T: Real>(&self, pi: &Vector3<T>) -> Vector3<T> {
         pi.zip_map(&self.inverse, |pi, inverse| pi * inverse)
     }

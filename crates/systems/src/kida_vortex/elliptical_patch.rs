@@ -110,7 +110,7 @@ impl KidaVortex {
 }
 
 /// Returns ab, the square root of the Casimir.
-#[inline]
+#[cfg_attr(optimised, inline(always))]
 fn product_of_axes<T: Real>(mu: &Covector<Vector3<T>>) -> T {
     So21.casimir(0, mu).sqrt()
 }

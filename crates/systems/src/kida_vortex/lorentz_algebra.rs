@@ -26,14 +26,14 @@ pub struct So21;
 impl LieAlgebra for So21 {
     type Element<T: Real> = Vector3<T>;
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn bracket<T: Real>(&self, xi: &Vector3<T>, eta: &Vector3<T>) -> Vector3<T> {
         let cross = xi.cross(eta);
         Vector3::new(cross.x, cross.y, -cross.z)
     }
 
     /// Returns `ad∗_ξ μ` = (μ₁, μ₂, −μ₃) × ξ.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn coadjoint<T: Real>(
         &self,
         xi: &Vector3<T>,
@@ -47,7 +47,7 @@ impl Casimirs for So21 {
     const COUNT: usize = 1;
 
     /// Returns the Casimir μ₃² − μ₁² − μ₂².
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn casimir<T: Real>(&self, index: usize, mu: &Covector<Vector3<T>>) -> T {
         let across = mu.0.x * mu.0.x + mu.0.y * mu.0.y;
         if index == 0 { mu.0.z * mu.0.z - across } else { T::zero() }

@@ -53,21 +53,21 @@ impl GravityGradient {
     }
 
     /// Returns ½ Π·I⁻¹Π − n Π·Γ₂ + (3/2) k Γ₁·IΓ₁ with the weights n and k.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn energy<T: Real>(&self, mu: &SatelliteDual<T>, rate: T, tide: T) -> T {
         let Covector(Pair(pi, _)) = mu;
         pi.dot(&self.moments.angular_velocity(pi)) * 0.5 + self.potential(mu, rate, tide)
     }
 
     /// Returns −n Π·Γ₂ + (3/2) k Γ₁·IΓ₁, which is ∂h/∂t if n and k are their own derivatives with respect to time.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn potential<T: Real>(&self, mu: &SatelliteDual<T>, rate: T, tide: T) -> T {
         let Covector(Pair(pi, Power([radial, normal]))) = mu;
         radial.dot(&self.weighted(radial)) * tide * 1.5 - pi.dot(normal) * rate
     }
 
     /// Returns (I⁻¹Π − n Γ₂, (3 k IΓ₁, −n Π)).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     pub(crate) fn differential<T: Real>(
         &self,
         Covector(Pair(pi, Power([radial, normal]))): &SatelliteDual<T>,

@@ -205,7 +205,7 @@ impl HeisenbergLattice {
     }
 }
 
-#[inline]
+#[cfg_attr(optimised, inline(always))]
 fn add_scaled<T: Real>(sum: &mut [Vector3<T>], constant: f64, terms: &[Vector3<T>]) {
     let constant = T::from_f64(constant);
     sum.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term.scaled(constant));

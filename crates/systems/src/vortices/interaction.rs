@@ -35,7 +35,7 @@ pub(crate) fn pairs<T: Real>(
 }
 
 /// Adds dh/dm_i = −(1/4π) Σ_j k_j x_j/(1 − x_i·x_j), j ≠ i, to the i-th vector, by one evaluation for each pair.
-#[inline]
+#[cfg_attr(optimised, inline(always))]
 pub(crate) fn add_differential<T: Real>(
     strengths: &[f64],
     x: impl Fn(usize) -> Vector3<T>,

@@ -17,7 +17,7 @@ impl<G: LieGroup> Representation for Adjoint<G> {
         self.0.algebra()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(
         &self,
         xi: &AlgebraElement<G, T>,
@@ -27,7 +27,7 @@ impl<G: LieGroup> Representation for Adjoint<G> {
     }
 
     /// Returns the transposed action `ξᵀ α = ad∗_ξ α`.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &AlgebraElement<G, T>,
@@ -37,7 +37,7 @@ impl<G: LieGroup> Representation for Adjoint<G> {
     }
 
     /// Returns the diamond product `v ◇ α = −ad∗_v α`.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &AlgebraElement<G, T>,
@@ -54,7 +54,7 @@ impl<G: LieGroup> GroupRepresentation for Adjoint<G> {
         self.0.clone()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transform<T: Real>(
         &self,
         g: &G::Element<T>,

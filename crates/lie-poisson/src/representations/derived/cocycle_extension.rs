@@ -105,7 +105,7 @@ impl<R: Representation> Representation for CocycleExtension<R> {
         self.0.representation().algebra()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &RepresentedElement<Self, T>, v: &Self::Space<T>) -> Self::Space<T> {
         let Pair(v, s) = v;
         let inner = self.0.representation().act::<T>(xi, v);
@@ -113,7 +113,7 @@ impl<R: Representation> Representation for CocycleExtension<R> {
     }
 
     /// Returns ξᵀ(α, σ) = (ξᵀα, −⟨α, c(ξ)⟩).
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &RepresentedElement<Self, T>,
@@ -126,7 +126,7 @@ impl<R: Representation> Representation for CocycleExtension<R> {
     }
 
     /// Returns (v, s) ◇ (α, σ) = v ◇ α − s cᵀα.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Self::Space<T>,

@@ -29,13 +29,13 @@ impl<R: Representation> Representation for Contragredient<R> {
         self.0.algebra()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &RepresentedElement<R, T>, v: &R::Space<T>) -> R::Space<T> {
         -self.0.transpose_act::<T>(xi, &Covector(*v)).0
     }
 
     /// Returns the transposed action −ξα.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &RepresentedElement<R, T>,
@@ -45,7 +45,7 @@ impl<R: Representation> Representation for Contragredient<R> {
     }
 
     /// Returns −α ◇ v, the diamond product of the representation on V.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &R::Space<T>,

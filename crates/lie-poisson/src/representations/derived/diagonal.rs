@@ -21,7 +21,7 @@ impl<R: Representation, const N: usize> Representation for Diagonal<R, N> {
         self.0.algebra()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &RepresentedElement<R, T>, v: &Self::Space<T>) -> Self::Space<T> {
         Power::from_factors(
             #[cfg_attr(optimised, inline(always))]
@@ -29,7 +29,7 @@ impl<R: Representation, const N: usize> Representation for Diagonal<R, N> {
         )
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &RepresentedElement<R, T>,
@@ -42,7 +42,7 @@ impl<R: Representation, const N: usize> Representation for Diagonal<R, N> {
     }
 
     /// Returns the sum Σ vₙ ◇ αₙ.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Self::Space<T>,
@@ -61,7 +61,7 @@ impl<R: GroupRepresentation, const N: usize> GroupRepresentation for Diagonal<R,
         self.0.group()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transform<T: Real>(
         &self,
         g: &<R::Group as LieGroup>::Element<T>,
@@ -73,7 +73,7 @@ impl<R: GroupRepresentation, const N: usize> GroupRepresentation for Diagonal<R,
         )
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp_integral<T: Real>(
         &self,
         xi: &AlgebraElement<R::Group, T>,

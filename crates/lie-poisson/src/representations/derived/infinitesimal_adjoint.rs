@@ -29,19 +29,19 @@ impl<A: LieAlgebra> Representation for InfinitesimalAdjoint<A> {
         self.0.clone()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &A::Element<T>, v: &A::Element<T>) -> A::Element<T> {
         self.0.bracket::<T>(xi, v)
     }
 
     /// Returns the transposed action `ξᵀ α = ad∗_ξ α`.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(&self, xi: &A::Element<T>, alpha: &Momentum<A, T>) -> Momentum<A, T> {
         self.0.coadjoint::<T>(xi, alpha)
     }
 
     /// Returns the diamond product `v ◇ α = −ad∗_v α`.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(&self, v: &A::Element<T>, alpha: &Momentum<A, T>) -> Momentum<A, T> {
         -self.0.coadjoint::<T>(v, alpha)
     }

@@ -46,12 +46,12 @@ where
         SemidirectAlgebra(self.quotient.clone())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &RepresentedElement<Self, T>, v: &R::Space<T>) -> R::Space<T> {
         self.representation.act::<T>(&xi.0, v)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &RepresentedElement<Self, T>,
@@ -61,7 +61,7 @@ where
     }
 
     /// Returns (v ◇ α, 0), since V ⊂ G ⋉ V acts trivially.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &R::Space<T>,
@@ -82,7 +82,7 @@ where
         SemidirectGroup(self.quotient.clone())
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transform<T: Real>(
         &self,
         g: &<SemidirectGroup<Q> as LieGroup>::Element<T>,
@@ -91,7 +91,7 @@ where
         self.representation.transform::<T>(&g.0, v)
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp_integral<T: Real>(
         &self,
         xi: &RepresentedElement<Self, T>,

@@ -23,12 +23,12 @@ where
         self.0.algebra()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn act<T: Real>(&self, xi: &RepresentedElement<R, T>, v: &Self::Space<T>) -> Self::Space<T> {
         Pair(self.0.act::<T>(xi, &v.0), self.1.act::<T>(xi, &v.1))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transpose_act<T: Real>(
         &self,
         xi: &RepresentedElement<R, T>,
@@ -42,7 +42,7 @@ where
     }
 
     /// Returns the sum v ◇ α + w ◇ β.
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn diamond<T: Real>(
         &self,
         v: &Self::Space<T>,
@@ -64,7 +64,7 @@ where
         self.0.group()
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn transform<T: Real>(
         &self,
         g: &<R::Group as LieGroup>::Element<T>,
@@ -73,7 +73,7 @@ where
         Pair(self.0.transform::<T>(g, &v.0), self.1.transform::<T>(g, &v.1))
     }
 
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn exp_integral<T: Real>(
         &self,
         xi: &AlgebraElement<R::Group, T>,

@@ -103,29 +103,40 @@ where
     }
 }
 
+/// Coordinates of two momenta, units, a sign, and an interpolation of inputs.
+fn cases() -> impl Strategy<Value = ([f64; 18], Units, Sign, Interpolation)> {
+    let numbers = prop::array::uniform18(-2.0..2.0_f64);
+    (numbers, units(), prop::sample::select(SIGNS), prop::sample::select(KINDS))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
+
+    #[test]
+    fn laws_of_orbit_fields_of_rotations((numbers, units, sign, kind) in cases()) {
+        laws_hold(LiePoisson::new(So3, sign), &numbers, units, kind);
+    }
+
+    #[test]
+    fn laws_of_orbit_fields_of_motions((numbers, units, sign, kind) in cases()) {
+        laws_hold(LiePoisson::new(Se3::default(), sign), &numbers, units, kind);
+    }
+
+    #[test]
+    fn laws_of_orbit_fields_of_a_product((numbers, units, sign, kind) in cases()) {
+        laws_hold(LiePoisson::new(ProductAlgebra(So3, So3), sign), &numbers, units, kind);
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
     #[test]
-    fn laws_of_orbit_fields(
-        numbers in prop::array::uniform18(-2.0..2.0_f64),
-        units in units(),
-        sign in prop::sample::select(SIGNS),
-        kind in prop::sample::select(KINDS),
-    ) {
+    #[ignore = "long"]
+    fn laws_of_orbit_fields_of_every_algebra((numbers, units, sign, kind) in cases()) {
         laws_hold(LiePoisson::new(So3, sign), &numbers, units, kind);
         laws_hold(LiePoisson::new(Se3::default(), sign), &numbers, units, kind);
         laws_hold(LiePoisson::new(ProductAlgebra(So3, So3), sign), &numbers, units, kind);
-    }
-
-    #[test]
-    #[ignore = "long"]
-    fn laws_of_orbit_fields_of_the_unitary_algebra(
-        numbers in prop::array::uniform18(-2.0..2.0_f64),
-        units in units(),
-        sign in prop::sample::select(SIGNS),
-        kind in prop::sample::select(KINDS),
-    ) {
         laws_hold(LiePoisson::new(UnitaryAlgebra::<3>, sign), &numbers, units, kind);
     }
 }
