@@ -209,7 +209,7 @@ fn a_tolerance_saves_sweeps_and_keeps_the_casimir() {
     let ((exact, all), (near, few)) = (follow(0.0), follow(1e-6));
     // A thousand steps of some ten roundings.
     assert!((near.norm() - 1.0).abs() < 1e-12 && 2 * few < all, "{few} of {all}");
-    // The errors of the steps add up, and the spin goes from one fixed point to another in many turns.
+    // A thousand errors of 1e-6 at most; without any the states would be the same.
     let apart = (near - exact).norm();
     assert!(apart > 1e-12 && apart < 1e-3, "{apart:e}");
     let lost = of_lift(1e-6).after(&start, STEP, 1000).unwrap().momentum.0.0.norm() - 1.0;
