@@ -75,12 +75,36 @@ impl StepParts<'_> {
     }
 }
 
-/// The number of increments of all lanes up to which a step allocates nothing.
+/// The number of lanes, and of increments of all lanes, up to which a step allocates nothing.
+const MOST_LANES: usize = 16;
 const MOST_NUMBERS: usize = 8 * MOST_FIELDS;
 
 /// Writes the increments of the components of a path in each lane, between two times after that of the clock.
-#[inline]
+#[cfg_attr(optimised, inline(always))]
 fn write_increments<T: Real>(
+    paths: &BrownianPaths,
+    (path, clock): (T, T),
+    (from, to): (f64, f64),
+    increments: &mut [T],
+) {
+    if !T::HAS_SLOW_PATHS {
+        let mut lanes: SmallVec<[(u64, f64); MOST_LANES]> = SmallVec::new();
+        let mut are_whole = true;
+        let _ = path.lane_by_lane(clock, |path, clock| {
+            let begin = clock + from;
+            are_whole &= path.is_finite() && begin.floor() == begin && clock + to == begin + 1.0;
+            lanes.push((path as u64, begin));
+            begin
+        });
+        if are_whole {
+            return paths.write_whole::<T>(&lanes, increments);
+        }
+    }
+    write_lane_by_lane(paths, (path, clock), (from, to), increments);
+}
+
+/// Writes the increments lane by lane.
+fn write_lane_by_lane<T: Real>(
     paths: &BrownianPaths,
     (path, clock): (T, T),
     (from, to): (f64, f64),

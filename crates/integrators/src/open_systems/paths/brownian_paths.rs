@@ -1,7 +1,9 @@
 //! Brownian motions that are functions of time: [`BrownianPaths`].
 
-use crate::open_systems::paths::normal_quantile::normal_of;
+use crate::open_systems::paths::normal_quantile::{probability, quantile, quantiles};
 use crate::open_systems::paths::philox::philox;
+use lie_poisson::Real;
+use smallvec::SmallVec;
 use thiserror::Error;
 
 /// Brownian motions W(t), each the same whenever it is looked at.
@@ -174,12 +176,42 @@ impl BrownianPaths {
     /// components that are not wanted.
     #[inline]
     fn node(&self, (path, block, wanted): (u64, u64, usize), interval: f64, node: u64) -> [f64; 4] {
-        let counter = [(interval as i64).cast_unsigned(), path, node, block];
         let mut numbers = [0.0; 4];
-        let bits = philox([self.seed, PURPOSE], counter);
+        let bits = self.bits((path, block), interval, node);
         for (number, bits) in numbers.iter_mut().zip(bits).take(wanted) {
-            *number = normal_of(bits);
+            *number = quantile(probability(bits));
         }
         numbers
     }
+
+    #[inline]
+    fn bits(&self, (path, block): (u64, u64), interval: f64, node: u64) -> [u64; 4] {
+        philox([self.seed, PURPOSE], [(interval as i64).cast_unsigned(), path, node, block])
+    }
+
+    /// Writes the increments of the components 0, 1, … over one interval in each lane, those of
+    /// [`write_increments`](Self::write_increments). A lane has the number of its path, and the beginning of its interval.
+    #[cfg_attr(optimised, inline(always))]
+    pub(in crate::open_systems) fn write_whole<T: Real>(
+        &self,
+        lanes: &[(u64, f64)],
+        increments: &mut [T],
+    ) {
+        let (zero, scale) = (T::zero(), self.interval.sqrt());
+        let (least, most) = (T::from_f64(-self.bound), T::from_f64(self.bound));
+        for (block, increments) in (0..).zip(increments.chunks_mut(4)) {
+            let bits: SmallVec<[[u64; 4]; MOST_LANES]> =
+                lanes.iter().map(|(path, begin)| self.bits((*path, block), *begin, 0)).collect();
+            for (component, increment) in increments.iter_mut().enumerate() {
+                let mut of_lanes = bits.iter().map(|bits| probability(bits[component]));
+                let p = zero.lane_by_lane(zero, |_, _| of_lanes.next().unwrap_or(f64::NAN));
+                let x = quantiles(p);
+                let x = T::select(x.at_most(most), x, most);
+                *increment = T::select(least.at_most(x), x, least) * scale;
+            }
+        }
+    }
 }
+
+/// The largest number of lanes for which nothing is allocated.
+const MOST_LANES: usize = 16;

@@ -1,33 +1,67 @@
 //! Normal numbers from uniform ones, by the inverse of the normal distribution function.
 #![allow(clippy::excessive_precision)] // The digits are those of the source.
 
-/// Returns the number x below which a standard normal number lies with the probability (n + ½)/2⁵², for the upper 52 of 64
-/// bits n. So uniform bits give normal numbers, none of which is larger than 8.3. It increases with the bits, and the
-/// relative error is 1e-15.
+use lie_poisson::{Mask, Real};
+
+/// Returns the probability (n + ½)/2⁵² of the upper 52 of 64 bits n. It is exact, also its difference from ½ and from 1.
+#[inline]
+pub(super) fn probability(bits: u64) -> f64 {
+    ((bits >> 12) as f64 + 0.5) * 0.5_f64.powi(52)
+}
+
+/// Returns the number x below which a standard normal number lies with a [probability]. So uniform bits give normal numbers, none of
+/// which is larger than 8.3. It increases with the bits, and the relative error is 1e-15.
 ///
 /// Source: Wichura, *Algorithm AS 241: the percentage points of the normal distribution*, J. R. Stat. Soc. C 37 (1988).
 #[inline]
-pub(super) fn normal_of(bits: u64) -> f64 {
-    // Exact, also its difference from ½ and from 1.
-    let p = ((bits >> 12) as f64 + 0.5) * 0.5_f64.powi(52);
-    let q = p - 0.5;
-    if q.abs() <= 0.425 {
-        return q * ratio(&CENTRE, 0.180625 - q * q);
+pub(super) fn quantile(p: f64) -> f64 {
+    if is_central(p) { central(p) } else { in_tail(p) }
+}
+
+/// Returns the [`quantile`] in each lane, with the same bits. Nearly all lanes are central, and the others are computed one by one.
+#[cfg_attr(optimised, inline(always))]
+pub(super) fn quantiles<T: Real>(p: T) -> T {
+    let x = central(p);
+    match (p - HALF).magnitude().at_most(T::from_f64(CENTRAL)).all() {
+        true => x,
+        false => x.lane_by_lane(p, |x, p| if is_central(p) { x } else { in_tail(p) }),
     }
+}
+
+const HALF: f64 = 0.5;
+
+/// The distance from ½ up to which a probability is central.
+const CENTRAL: f64 = 0.425;
+
+#[inline]
+fn is_central(p: f64) -> bool {
+    (p - HALF).abs() <= CENTRAL
+}
+
+#[cfg_attr(optimised, inline(always))]
+fn central<T: Real>(p: T) -> T {
+    let q = p - HALF;
+    q * ratio(&CENTRE, -(q * q) + 0.180625)
+}
+
+fn in_tail(p: f64) -> f64 {
     let r = (-p.min(1.0 - p).ln()).sqrt();
     let x = if r <= 5.0 { ratio(&TAIL, r - 1.6) } else { ratio(&FAR_TAIL, r - 5.0) };
-    x.copysign(q)
+    x.copysign(p - HALF)
 }
 
 /// The coefficients of a numerator and of a denominator, from those of the highest power down.
 type Coefficients = [[f64; 8]; 2];
 
 /// Returns the quotient of two polynomials, by Horner's scheme.
-#[inline]
-fn ratio([numerator, denominator]: &Coefficients, r: f64) -> f64 {
-    let [numerator, denominator] =
-        [numerator, denominator].map(|all| all.iter().fold(0.0, |sum, c| sum * r + c));
-    numerator / denominator
+#[cfg_attr(optimised, inline(always))]
+fn ratio<T: Real>([numerator, denominator]: &Coefficients, r: T) -> T {
+    let (mut above, mut below) = (T::zero(), T::zero());
+    for (a, b) in numerator.iter().zip(denominator) {
+        above = above * r + *a;
+        below = below * r + *b;
+    }
+    above / below
 }
 
 #[rustfmt::skip]
@@ -81,6 +115,12 @@ const FAR_TAIL: Coefficients = [
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::open_systems::paths::philox::philox;
+    use lie_poisson::{DefaultLanes, Lanes};
+
+    fn normal_of(bits: u64) -> f64 {
+        quantile(probability(bits))
+    }
 
     /// Returns the bits of a probability.
     fn at(p: f64) -> u64 {
@@ -127,6 +167,18 @@ mod tests {
         let meet = (-25.0_f64).exp();
         let [before, after] = [1.0 - 1e-4, 1.0 + 1e-4].map(|part| normal_of(at(meet * part)));
         assert!(before < after && after - before < 1e-4);
+    }
+
+    /// In lanes, some of them central.
+    #[test]
+    fn lanes_have_the_bits_of_numbers() {
+        for first in 0..200_u64 {
+            let bits = |lane: usize| philox([first, 0], [lane as u64; 4])[0];
+            let p = DefaultLanes::from_lanes(|lane| probability(bits(lane)));
+            for lane in 0..DefaultLanes::COUNT {
+                assert_eq!(quantiles(p).lane(lane).to_bits(), normal_of(bits(lane)).to_bits());
+            }
+        }
     }
 
     #[test]

@@ -6,8 +6,8 @@ use collective_integrators::{
     Start, StepError, laws,
 };
 use lie_poisson::{
-    Automatic, Autonomous, Covector, DoubleBracket, Energy, InnerProduct, IsotropicNoise,
-    LiePoisson, Noise, OrbitField, Point, Power, PowerAlgebra, Real, So3, Vector,
+    Automatic, Autonomous, Covector, DoubleBracket, Energy, InnerProduct, InstructionSet,
+    IsotropicNoise, LiePoisson, Noise, OrbitField, Point, Power, PowerAlgebra, Real, So3, Vector,
 };
 use momentum_map::{HOPF, InvertibleMultipliers, Lift, PowerMap, PowerMultipliers, Quaternions};
 use nalgebra::Vector3;
@@ -219,7 +219,7 @@ fn a_tolerance_saves_sweeps_and_keeps_the_casimir() {
 #[test]
 fn members_in_lanes_have_the_bits_of_single_runs() {
     for tolerance in [0.0, 1e-6] {
-        in_lanes_and_alone(|| {
+        require_bits_in_lanes(|| {
             NoisyReduced::new(Quaternions, Autonomous(Automatic(Cubic)), isotropic(0.5), paths())
                 .with_solver(solver(tolerance))
         });
@@ -228,10 +228,16 @@ fn members_in_lanes_have_the_bits_of_single_runs() {
 
 type CubicSpin = NoisyReduced<Quaternions, Autonomous<Automatic<Cubic>>, IsotropicNoise>;
 
-fn in_lanes_and_alone(make: impl Fn() -> CubicSpin + Sync) {
+fn require_bits_in_lanes(make: impl Fn() -> CubicSpin + Sync) {
+    for set in InstructionSet::available() {
+        require_bits_of_single_runs(&make, Laned::new(make()).with_instructions(set).unwrap());
+    }
+}
+
+fn require_bits_of_single_runs(make: &(impl Fn() -> CubicSpin + Sync), lanes: Laned<CubicSpin>) {
     let ends = Mutex::new(vec![None; 19]);
     let first = |path| make().start(&on_path(spin(), path)).unwrap();
-    Ensemble::new(Laned::widest(make())).stream(19, first, STEP, 60, |chunk| {
+    Ensemble::new(lanes).stream(19, first, STEP, 60, |chunk| {
         assert!(chunk.failures.is_empty());
         for (path, member) in (chunk.first as usize..).zip(chunk.members) {
             ends.lock().unwrap()[path] = Some(*member);
