@@ -2,7 +2,7 @@
 
 use crate::error::StepError;
 use crate::open_systems::noise_rule::{MOST_FIELDS, NoisePart, NoiseRule};
-use crate::open_systems::paths::brownian_paths::BrownianPaths;
+use crate::open_systems::paths::brownian_paths::{BrownianPaths, MOST_LANES};
 use crate::open_systems::smooth_pieces::{Window, smooth_pieces};
 use lie_poisson::Real;
 use smallvec::{SmallVec, smallvec};
@@ -75,8 +75,7 @@ impl StepParts<'_> {
     }
 }
 
-/// The number of lanes, and of increments of all lanes, up to which a step allocates nothing.
-const MOST_LANES: usize = 16;
+/// The number of increments of all lanes up to which a step allocates nothing.
 const MOST_NUMBERS: usize = 8 * MOST_FIELDS;
 
 /// Writes the increments of the components of a path in each lane, between two times after that of the clock.

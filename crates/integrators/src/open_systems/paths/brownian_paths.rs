@@ -214,4 +214,4 @@ impl BrownianPaths {
 }
 
 /// The largest number of lanes for which nothing is allocated.
-const MOST_LANES: usize = 16;
+pub(in crate::open_systems) const MOST_LANES: usize = 16;
