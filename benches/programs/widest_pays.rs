@@ -7,8 +7,8 @@
 //!
 //! The best times of several rounds count. Rounds are added until every integrator pays, [`MOST_ROUNDS`] at most. Each line
 //! has the ratio of the two times, the same ratio for the widest registers of the processor without a choice, and the
-//! instruction set that was chosen. What the library itself brings, such as its integrators of open systems, has to pay in the
-//! widest registers without a choice: otherwise something is called there that should have been inlined.
+//! instruction set that was chosen. A top with friction or noise, in which nothing is by a stranger, has to pay in the widest
+//! registers without a choice, too: otherwise something is called there that should have been inlined.
 
 use collective_integrators::{
     BatchIntegrator, BrownianPaths, Collective, Direct, Driven, FieldInLanes, Integrator, Laned,

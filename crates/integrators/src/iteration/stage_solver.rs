@@ -139,10 +139,10 @@ impl<V: State, F: FnMut(usize, &[V], &mut V)> StageEquations<V> for F {
     }
 }
 
-/// Stage equations whose value is returned.
-struct OfClosure<F>(F);
+/// Stage equations given by a function that returns f_i(k).
+pub(crate) struct ByValue<F>(pub F);
 
-impl<V: State, F: Fn(usize, &[V]) -> V> StageEquations<V> for OfClosure<F> {
+impl<V: State, F: Fn(usize, &[V]) -> V> StageEquations<V> for ByValue<F> {
     #[cfg_attr(optimised, inline(always))]
     fn has_low_parts(&self) -> bool {
         false
@@ -175,7 +175,7 @@ impl StageSolver {
     ) -> Result<usize, StepError> {
         k.iter_mut().for_each(|k| k.assign(&start));
         let none = MaskOf::<V>::from_bool(false);
-        self.solve_from(none, &OwnScale, k, &mut start, &mut unknown(), &mut OfClosure(derivative))
+        self.solve_from(none, &OwnScale, k, &mut start, &mut unknown(), &mut ByValue(derivative))
             .map_err(|unconverged| unconverged.error)
     }
 

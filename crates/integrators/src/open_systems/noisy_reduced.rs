@@ -76,8 +76,9 @@ impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
     }
 
     /// Replaces the solver of the fixed-point iteration. Its tolerance is a part of ζ: the relative error of the motion of a step.
-    /// Each step moves along the orbit by an element of the group all the same. The tolerance 1e-6 halves the number of sweeps,
-    /// and is far below the error of a step with noise, which is about 1e-3 at the largest steps that are safe.
+    /// Each step moves along the orbit by an element of the group all the same. The tolerance 1e-6 about halves the number of
+    /// sweeps, and is far below the errors of a few per cent that means have at the largest steps that are
+    /// [safe](crate::Noisy#which-step).
     #[must_use]
     pub fn with_solver(self, solver: StageSolver) -> Self {
         Self { solver, ..self }

@@ -91,7 +91,7 @@ fn write_increments<T: Real>(
         let mut are_whole = true;
         let _ = path.lane_by_lane(clock, |path, clock| {
             let begin = clock + from;
-            are_whole &= path.is_finite() && begin.floor() == begin && clock + to == begin + 1.0;
+            are_whole &= path.is_finite() && begin.floor() == begin && clock + to - begin == 1.0;
             lanes.push((path as u64, begin));
             begin
         });

@@ -3,7 +3,7 @@
 use crate::iteration::block_sizes::MaskOf;
 use crate::iteration::convergence::unknown;
 use crate::iteration::stage_scale::OwnScale;
-use crate::iteration::stage_solver::{StageEquations, StageSolver, Unconverged};
+use crate::iteration::stage_solver::{ByValue, StageEquations, StageSolver, Unconverged};
 use crate::stages::extrapolation::Predictor;
 use crate::stages::history::StageHistory;
 use crate::vector_field::from_fn;
@@ -111,21 +111,6 @@ fn without_guess<V: State>(
     k.iter_mut().for_each(|k| k.assign(start));
     let none = Mask::from_bool(false);
     solver.solve_from(none, &OwnScale, k, spare, &mut unknown(), equations)
-}
-
-/// Stage equations given by a function that returns f_i(k).
-struct ByValue<F>(F);
-
-impl<V: State, F: Fn(usize, &[V]) -> V> StageEquations<V> for ByValue<F> {
-    #[cfg_attr(optimised, inline(always))]
-    fn has_low_parts(&self) -> bool {
-        false
-    }
-
-    #[cfg_attr(optimised, inline(always))]
-    fn evaluate(&mut self, i: usize, k: &[V], _near: MaskOf<V>, value: &mut V) {
-        *value = (self.0)(i, k);
-    }
 }
 
 #[cfg(test)]

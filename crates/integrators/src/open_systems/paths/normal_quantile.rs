@@ -18,7 +18,7 @@ pub(super) fn quantile(p: f64) -> f64 {
     if is_central(p) { central(p) } else { in_tail(p) }
 }
 
-/// Returns the [`quantile`] in each lane, with the same bits. Nearly all lanes are central, and the others are computed one by one.
+/// Returns the [`quantile`] in each lane, with the same bits. Of all numbers 85 % are central, and the others are computed one by one.
 #[cfg_attr(optimised, inline(always))]
 pub(super) fn quantiles<T: Real>(p: T) -> T {
     let x = central(p);

@@ -7,10 +7,11 @@ use collective_integrators::{
 };
 use lie_poisson::{
     Automatic, Autonomous, Covector, DoubleBracket, Energy, InnerProduct, InstructionSet,
-    IsotropicNoise, LiePoisson, Noise, OrbitField, Point, Power, PowerAlgebra, Real, So3, Vector,
+    IsotropicNoise, LiePoisson, Noise, OrbitField, Pair, Point, Power, PowerAlgebra, Real, So3,
+    Vector,
 };
 use momentum_map::{HOPF, InvertibleMultipliers, Lift, PowerMap, PowerMultipliers, Quaternions};
-use nalgebra::Vector3;
+use nalgebra::{Vector1, Vector3};
 use std::sync::Mutex;
 
 const STEP: f64 = 0.1;
@@ -146,7 +147,14 @@ fn units_do_not_matter_and_what_is_at_rest_stays() {
         let noise = IsotropicNoise::thermal(product(), (0.3 / s, temperature * s / tau)).unwrap();
         let paths = BrownianPaths::new(1, STEP * tau).unwrap();
         let spin = NoisyReduced::new(Quaternions, field, noise, paths);
-        spin.after(&on_path(Covector(start * s), 5), STEP * tau, 100).unwrap().momentum.0.0 / s
+        let follow = |spin: &NoisyReduced<_, _, _>| {
+            let start = on_path(Covector(start * s), 5);
+            spin.after(&start, STEP * tau, 100).unwrap().momentum.0.0 / s
+        };
+        let exact = follow(&spin);
+        // A hundred errors of the tolerance, in all units.
+        assert!((follow(&spin.with_solver(solver(1e-6))) - exact).norm() <= 1e-4 * start.norm());
+        exact
     };
     let one = end((1.0, 1.0), 0.7, spin().0);
     assert!((one - spin().0).norm() > 0.1);
@@ -229,14 +237,26 @@ fn members_in_lanes_have_the_bits_of_single_runs() {
 type CubicSpin = NoisyReduced<Quaternions, Autonomous<Automatic<Cubic>>, IsotropicNoise>;
 
 fn require_bits_in_lanes(make: impl Fn() -> CubicSpin + Sync) {
-    for set in InstructionSet::available() {
-        require_bits_of_single_runs(&make, Laned::new(make()).with_instructions(set).unwrap());
+    // At the beginning of an interval, in its midst, and where a clock has no digits for one more.
+    for (set, begin) in
+        InstructionSet::available().flat_map(|set| [0.0, 0.5, 1e17].map(|t| (set, t)))
+    {
+        let lanes = Laned::new(make()).with_instructions(set).unwrap();
+        require_bits_of_single_runs(&make, lanes, begin * STEP);
     }
 }
 
-fn require_bits_of_single_runs(make: &(impl Fn() -> CubicSpin + Sync), lanes: Laned<CubicSpin>) {
+fn require_bits_of_single_runs(
+    make: &(impl Fn() -> CubicSpin + Sync),
+    lanes: Laned<CubicSpin>,
+    begin: f64,
+) {
+    let start = |path| {
+        let Pair(spin, Pair(path, _)) = on_path(spin(), path);
+        Pair(spin, Pair(path, Vector1::new(begin)))
+    };
     let ends = Mutex::new(vec![None; 19]);
-    let first = |path| make().start(&on_path(spin(), path)).unwrap();
+    let first = |path| make().start(&start(path)).unwrap();
     Ensemble::new(lanes).stream(19, first, STEP, 60, |chunk| {
         assert!(chunk.failures.is_empty());
         for (path, member) in (chunk.first as usize..).zip(chunk.members) {
@@ -244,8 +264,8 @@ fn require_bits_of_single_runs(make: &(impl Fn() -> CubicSpin + Sync), lanes: La
         }
     });
     for (path, end) in (0..).zip(ends.into_inner().unwrap()) {
-        let alone = make().after(&on_path(spin(), path), STEP, 60).unwrap().state;
-        assert_eq!(end, Some(alone), "path {path}");
+        let alone = make().after(&start(path), STEP, 60).unwrap().state;
+        assert_eq!(end, Some(alone), "path {path} from {begin}");
     }
 }
 
