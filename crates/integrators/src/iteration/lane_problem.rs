@@ -90,6 +90,7 @@ impl<V: State> LaneProblem<'_, V> {
                     for block in 0..S.div_ceil(T::COUNT) {
                         sweep.advance::<T, W, S>(field, how, block, (rows, vectors), &mut progress);
                     }
+                    rows.take_next();
                     if left == 0 {
                         let SweepChange { change, size } = &progress;
                         break SweepChange {
@@ -157,7 +158,7 @@ struct Sweep<'a, V> {
 }
 
 impl<V: State> Sweep<'_, V> {
-    /// Replaces the stage derivatives in a block of lanes, and measures the changes if they are `watched`. If they are
+    /// Computes the next stage derivatives in a block of lanes, and measures the changes if they are `watched`. If they are
     /// `near` the solution, the sums with the low parts of the coefficients are computed first. The vectors are overwritten.
     #[cfg_attr(optimised, inline(always))]
     fn advance<T: Lanes, W: State<Scalar = T>, const S: usize>(
@@ -185,7 +186,7 @@ impl<V: State> Sweep<'_, V> {
         field: &impl Fn(&W, &mut W),
         (watched, near): (bool, bool),
         block: usize,
-        (StageRows { k, small, .. }, [point, value, before]): (&mut StageRows, &mut [W; 3]),
+        (StageRows { k, next, small, .. }, [point, value, before]): (&mut StageRows, &mut [W; 3]),
         progress: &mut SweepChange<W>,
     ) {
         if near && let Some(low) = &self.columns.low {
@@ -194,7 +195,7 @@ impl<V: State> Sweep<'_, V> {
             }
         }
         let dimension = point.dimension();
-        let (k, small) = (&mut k[..dimension], &small[..dimension]);
+        let (k, small) = (&k[..dimension], &small[..dimension]);
         let h = T::from_f64(self.step);
         point.set_coordinates(
             #[cfg_attr(optimised, inline(always))]
@@ -213,7 +214,7 @@ impl<V: State> Sweep<'_, V> {
             progress.change.include_difference(value, before);
             progress.size.include(value);
         }
-        for (c, row) in k.iter_mut().enumerate() {
+        for (c, row) in next[..dimension].iter_mut().enumerate() {
             row.store(value.coordinate(c), block);
         }
     }

@@ -60,6 +60,8 @@ fn columns<'a>(stages: usize, row: impl Fn(usize) -> &'a [f64]) -> [StageRow; WI
 pub(crate) struct StageRows {
     /// The stage derivatives.
     pub(crate) k: Vec<StageRow>,
+    /// Those of the next sweep. All are computed from `k`, so that they do not depend on the number of lanes.
+    pub(crate) next: Vec<StageRow>,
     /// The stage derivatives from which the iteration begins.
     pub(crate) guess: Vec<StageRow>,
     /// The sums Σ_j low_ij k_j.
@@ -70,14 +72,21 @@ impl StageRows {
     /// Creates empty storage with room for vectors of a dimension.
     pub(crate) fn with_room(dimension: usize) -> Self {
         let room = || Vec::with_capacity(dimension);
-        Self { k: room(), guess: room(), small: room() }
+        Self { k: room(), next: room(), guess: room(), small: room() }
     }
 
     /// Makes room for vectors of a dimension, and sets the sums with the low parts to zero.
     pub(crate) fn fit(&mut self, dimension: usize) {
         self.k.resize(dimension, StageRow::ZERO);
+        self.next.resize(dimension, StageRow::ZERO);
         self.small.clear();
         self.small.resize(dimension, StageRow::ZERO);
+    }
+
+    /// Replaces the stage derivatives by the next ones.
+    #[cfg_attr(optimised, inline(always))]
+    pub(crate) fn take_next(&mut self) {
+        core::mem::swap(&mut self.k, &mut self.next);
     }
 }
 

@@ -10,10 +10,6 @@ use crate::schemes::scheme::{Increment, Step};
 use lie_poisson::{InstructionSet, MissingInstructions, Pair, State};
 use momentum_map::LiftError;
 
-/// The widest set with registers of four lanes, in which the stages are computed in the same order as on the lanes that
-/// every processor has.
-const FOUR_LANES: InstructionSet = InstructionSet::Avx2;
-
 /// The number of steps of a run that is timed: the first one has no prediction to start from.
 const TRIAL_STEPS: usize = 4;
 
@@ -76,17 +72,14 @@ impl<I: FieldInLanes> StagesInLanes<I> {
         Self { integrator, instructions: FastestSet::given(InstructionSet::Portable) }
     }
 
-    /// Creates the integrator on four lanes of the widest registers of this processor, or on those that every processor
-    /// has if the first step shows that they are faster. To find that out, it makes a few more steps, in storage of their
-    /// own. The steps are bit-identical to those of [`new`](Self::new).
+    /// Creates the integrator on the registers of this processor that are the fastest, as the first step shows. To find
+    /// that out, it makes a few more steps, in storage of their own. The steps are bit-identical to those of
+    /// [`new`](Self::new).
     pub fn widest(integrator: I) -> Self {
-        Self { integrator, instructions: FastestSet::up_to(FOUR_LANES) }
+        Self { integrator, instructions: FastestSet::up_to(InstructionSet::detected()) }
     }
 
     /// Replaces the instruction set. No other set is used, even if it is faster.
-    ///
-    /// With AVX-512 eight stages are computed at once, all from those of the previous sweep. Only these steps differ,
-    /// by round-off, from those on the other sets.
     ///
     /// # Errors
     /// Returns [`MissingInstructions`] if the processor lacks them.
