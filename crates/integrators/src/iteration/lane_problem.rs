@@ -24,13 +24,28 @@ pub struct LaneProblem<'a, V: State> {
     pub(crate) scale: &'a StageScale<V>,
     pub(crate) z: &'a V,
     pub(crate) step: f64,
-    /// The guess, and after the iteration the stage derivatives.
+    /// The guess unless there is a prediction, and after the iteration the stage derivatives.
     pub(crate) k: &'a mut [V],
+    pub(crate) prediction: Option<Prediction<'a, V>>,
     pub(crate) pace: &'a mut Ratios<V::Scalar>,
     /// The number of sweeps of the last step from as good a guess, or 0.
     pub(crate) usual: usize,
     pub(crate) rows: &'a mut StageRows,
 }
+
+/// A guess Σ_j w_ij k_j of the stage derivatives, from those of the last steps.
+#[derive(Debug)]
+pub(crate) struct Prediction<'a, V> {
+    /// The stage derivatives k_j, oldest first.
+    pub(crate) past: &'a [V],
+    /// The columns w_0j, w_1j, … of the weights.
+    pub(crate) columns: &'a [StageRow],
+    /// The stage derivatives of the last step.
+    pub(crate) last: &'a [V],
+}
+
+/// The largest multiple of the last stage derivatives that a prediction may have.
+pub(crate) const LARGEST_GROWTH: f64 = 2.0;
 
 /// The number of sweeps that are watched before the one with which the iteration is expected to end.
 ///
@@ -39,17 +54,26 @@ const WATCHED: usize = 4;
 
 impl<V: State> LaneProblem<'_, V> {
     /// Solves the equations by sweeps with room for S stages side by side, for a field over the lanes `T`, which writes its
-    /// value to a vector of the space of `blank`.
+    /// value to a vector of the space of `blank`. Returns `None` if what is predicted is too large to be a guess.
     #[cfg_attr(optimised, inline(always))]
     pub(crate) fn solve<T: Lanes, W: State<Scalar = T>, const S: usize>(
         &mut self,
         blank: W,
         field: impl Fn(&W, &mut W),
-    ) -> Outcome<V> {
+    ) -> Option<Outcome<V>> {
         let mut vectors = [blank.clone(), blank.clone(), blank];
+        self.rows.fit(self.z.dimension());
+        match self.prediction.take() {
+            None => self.write_guess(),
+            Some(prediction) => {
+                if !self.write_prediction::<T, W, S>(prediction, &mut vectors[0]) {
+                    return None;
+                }
+            }
+        }
         let mut unwatched = self.usual.saturating_sub(WATCHED).min(self.solver.max_iterations / 2);
         let outcome = loop {
-            self.write_rows();
+            self.rows.k.clone_from(&self.rows.guess);
             let outcome = self.iterate::<T, W, S>(&field, &mut vectors, unwatched);
             // What has not been watched may have led to another solution, or away from all.
             if unwatched == 0 || outcome.is_ok() && self.stays_near_guess::<T, W, S>(&mut vectors) {
@@ -58,7 +82,7 @@ impl<V: State> LaneProblem<'_, V> {
             unwatched = 0;
         };
         self.read_rows();
-        outcome
+        Some(outcome)
     }
 
     /// Makes sweeps from the guess in the rows until they have converged, the first ones without measuring their changes.
@@ -125,17 +149,46 @@ impl<V: State> LaneProblem<'_, V> {
 
     /// Writes the guess to the rows.
     #[cfg_attr(optimised, inline(always))]
-    fn write_rows(&mut self) {
-        let dimension = self.z.dimension();
-        self.rows.fit(dimension);
+    fn write_guess(&mut self) {
         let Some(last) = self.k.len().checked_sub(1) else { return };
         for i in 0..WIDTH {
             let k = &self.k[i.min(last)];
-            for c in 0..dimension {
-                self.rows.k[c].0[i] = number(k.coordinate(c));
+            for (c, row) in self.rows.guess.iter_mut().enumerate() {
+                row.0[i] = number(k.coordinate(c));
             }
         }
-        self.rows.guess.clone_from(&self.rows.k);
+    }
+
+    /// Writes what is predicted to the rows. Returns whether it is modest. The vector is overwritten.
+    #[cfg_attr(optimised, inline(always))]
+    fn write_prediction<T: Lanes, W: State<Scalar = T>, const S: usize>(
+        &mut self,
+        Prediction { past, columns, last }: Prediction<'_, V>,
+        guess: &mut W,
+    ) -> bool {
+        let (last, mut size) = (BlockSizes::of(last), BlockSizes::zero());
+        for block in 0..S.div_ceil(T::COUNT) {
+            guess.set_coordinates(
+                #[cfg_attr(optimised, inline(always))]
+                |c| {
+                    let mut sum = T::zero();
+                    for (column, k) in columns.iter().zip(past) {
+                        sum += column.load::<T>(block) * T::from_f64(number(k.coordinate(c)));
+                    }
+                    sum
+                },
+            );
+            size.include(guess);
+            for (c, row) in self.rows.guess.iter_mut().enumerate() {
+                row.store(guess.coordinate(c), block);
+            }
+        }
+        let size: BlockSizes<V> = largest_lanes(&size);
+        let modest = size.at_most(
+            #[cfg_attr(optimised, inline(always))]
+            |block| last.at(block) * LARGEST_GROWTH,
+        );
+        modest.all()
     }
 
     /// Reads the stage derivatives from the rows.
@@ -244,12 +297,26 @@ fn number<T: Real>(x: T) -> f64 {
 /// Returns the largest sizes in all lanes.
 #[cfg_attr(optimised, inline(always))]
 fn largest_lanes<T: Lanes, W: State<Scalar = T>, V: State>(sizes: &BlockSizes<W>) -> BlockSizes<V> {
-    let all = |x: T, f: fn(f64, f64) -> f64| (1..T::COUNT).fold(x.lane(0), |y, i| f(x.lane(i), y));
     BlockSizes::from_parts(
         #[cfg_attr(optimised, inline(always))]
-        |block| V::Scalar::from_f64(all(sizes.at(block), Real::maximum)),
-        V::Scalar::from_f64(all(sizes.sum(), |x, y| x + y)),
+        |block| V::Scalar::from_f64(over_lanes(sizes.at(block), Real::maximum)),
+        V::Scalar::from_f64(over_lanes(sizes.sum(), |x, y| x + y)),
     )
+}
+
+/// Returns f of the numbers in all lanes, by halves.
+#[cfg_attr(optimised, inline(always))]
+fn over_lanes<T: Lanes>(x: T, f: impl Fn(f64, f64) -> f64) -> f64 {
+    let mut numbers = StageRow::ZERO;
+    numbers.store(x, 0);
+    let mut count = T::COUNT;
+    while count > 1 {
+        count /= 2;
+        for i in 0..count {
+            numbers.0[i] = f(numbers.0[i + count], numbers.0[i]);
+        }
+    }
+    numbers.0[0]
 }
 
 #[cfg(test)]

@@ -44,15 +44,16 @@ impl StageColumns {
         if tableau.is_explicit() || !(2..=WIDTH).contains(&stages) {
             return None;
         }
-        let low = (!tableau.row_low(0).is_empty()).then(|| columns(stages, |i| tableau.row_low(i)));
-        Some(Self { stages, whole: columns(stages, |i| tableau.row(i)), low })
+        let low = (!tableau.row_low(0).is_empty())
+            .then(|| from_fn(|j| column(stages, |i| tableau.row_low(i), j)));
+        let whole = from_fn(|j| column(stages, |i| tableau.row(i), j));
+        Some(Self { stages, whole, low })
     }
 }
 
-/// Returns the columns of the matrix with the given rows.
-fn columns<'a>(stages: usize, row: impl Fn(usize) -> &'a [f64]) -> [StageRow; WIDTH] {
-    let entry = |i: usize, j: usize| row(i.min(stages - 1)).get(j).copied().unwrap_or(0.0);
-    from_fn(|j| StageRow(from_fn(|i| entry(i, j))))
+/// Returns a column of the matrix with the given rows, one for each stage; zero if there is no such column.
+pub(crate) fn column<'a>(stages: usize, row: impl Fn(usize) -> &'a [f64], j: usize) -> StageRow {
+    StageRow(from_fn(|i| row(i.min(stages - 1)).get(j).copied().unwrap_or(0.0)))
 }
 
 /// The storage of an iteration with stages side by side: a row for each coordinate.
@@ -77,8 +78,9 @@ impl StageRows {
 
     /// Makes room for vectors of a dimension, and sets the sums with the low parts to zero.
     pub(crate) fn fit(&mut self, dimension: usize) {
-        self.k.resize(dimension, StageRow::ZERO);
-        self.next.resize(dimension, StageRow::ZERO);
+        for rows in [&mut self.k, &mut self.next, &mut self.guess] {
+            rows.resize(dimension, StageRow::ZERO);
+        }
         self.small.clear();
         self.small.resize(dimension, StageRow::ZERO);
     }

@@ -3,6 +3,7 @@
 use crate::error::StepError;
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::{ConvergenceTest, FLOOR, Ratios, is_finite, unknown};
+use crate::iteration::lane_problem::Prediction;
 use crate::iteration::stage_scale::{OwnScale, Scale, SweepChange};
 use lie_poisson::{Mask, Real, State, larger};
 use nalgebra::Vector1;
@@ -112,7 +113,8 @@ pub(crate) trait StageEquations<V: State> {
     /// Writes f_i(k) to the value. In the lanes `near`, k has just come close to the solution.
     fn evaluate(&mut self, i: usize, k: &[V], near: MaskOf<V>, value: &mut V);
 
-    /// Solves the equations from the guess in `k` with one stage in each SIMD lane, if they support that.
+    /// Solves the equations from what is predicted, or from the guess in `k`, with one stage in each SIMD lane, if they
+    /// support that and what is predicted is modest.
     ///
     /// The ratios are those of the changes in the previous iteration, and the number is that of its sweeps from as good a
     /// guess, or 0.
@@ -121,6 +123,7 @@ pub(crate) trait StageEquations<V: State> {
         &mut self,
         _solver: &StageSolver,
         _k: &mut [V],
+        _prediction: Option<Prediction<'_, V>>,
         _pace: (&mut Ratios<V::Scalar>, usize),
     ) -> Option<Result<usize, Unconverged<MaskOf<V>>>> {
         None

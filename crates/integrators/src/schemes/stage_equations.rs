@@ -2,7 +2,7 @@
 
 use crate::iteration::block_sizes::MaskOf;
 use crate::iteration::convergence::Ratios;
-use crate::iteration::lane_problem::{LaneProblem, Outcome};
+use crate::iteration::lane_problem::{LaneProblem, Outcome, Prediction};
 use crate::iteration::stage_rows::{StageColumns, StageRows};
 use crate::iteration::stage_scale::StageScale;
 use crate::iteration::stage_solver::{StageEquations, StageSolver, set_combination};
@@ -35,12 +35,24 @@ impl<F: VectorField<V::Scalar, Point = V>, V: State> StageEquations<V> for Stage
         &mut self,
         solver: &StageSolver,
         k: &mut [V],
+        prediction: Option<Prediction<'_, V>>,
         (pace, usual): (&mut Ratios<V::Scalar>, usize),
     ) -> Option<Outcome<V>> {
         let (columns, step, scale, rows) = self.lanes.as_mut()?;
         let (z, step) = (self.z, *step);
-        let mut problem = LaneProblem { columns, solver, scale, z, step, k, pace, usual, rows };
-        self.field.solve_in_lanes(&mut problem)
+        let rows = &mut **rows;
+        self.field.solve_in_lanes(&mut LaneProblem {
+            columns,
+            solver,
+            scale,
+            z,
+            step,
+            k,
+            prediction,
+            pace,
+            usual,
+            rows,
+        })
     }
 
     #[cfg_attr(optimised, inline(always))]

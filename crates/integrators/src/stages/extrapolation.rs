@@ -1,5 +1,7 @@
 //! Extrapolation of stage derivatives: [`Predictor`].
 
+use crate::iteration::stage_rows::{StageRow, WIDTH, column};
+
 /// The least distance of nodes, in steps, for which a polynomial through them is used.
 const LEAST_DISTANCE: f64 = 1e-3;
 
@@ -22,6 +24,8 @@ pub(crate) struct Predictor {
     pub(crate) stages: usize,
     /// The matrices of the k_j in the guess, oldest step first, for n = 1, 2, …, row by row.
     pub(crate) weights: Vec<Vec<f64>>,
+    /// The same matrices, column by column, for stages side by side; none if there are no such stages.
+    pub(crate) columns: Vec<Vec<StageRow>>,
 }
 
 impl Predictor {
@@ -35,12 +39,14 @@ impl Predictor {
         while let Some(last) = weights.last().filter(|_| weights.len() < most) {
             weights.push(corrected(last, nodes.len()));
         }
-        Self { stages: nodes.len(), weights }
+        let side_by_side = if nodes.len() <= WIDTH { &*weights } else { &[] };
+        let columns = side_by_side.iter().map(|matrix| columns(matrix, nodes.len())).collect();
+        Self { stages: nodes.len(), weights, columns }
     }
 
     /// Creates a predictor that makes no predictions, as for explicit methods.
     pub(crate) fn none() -> Self {
-        Self { stages: 0, weights: Vec::new() }
+        Self { stages: 0, weights: Vec::new(), columns: Vec::new() }
     }
 
     /// Returns the number of stage derivatives to remember.
@@ -94,6 +100,12 @@ fn corrected(weights: &[f64], stages: usize) -> Vec<f64> {
         new
     };
     weights.chunks_exact(old).enumerate().flat_map(row).collect()
+}
+
+/// Returns the columns of a matrix with a row for each stage.
+fn columns(matrix: &[f64], stages: usize) -> Vec<StageRow> {
+    let count = matrix.len().checked_div(stages).unwrap_or(0);
+    (0..count).map(|j| column(stages, |i| &matrix[i * count..][..count], j)).collect()
 }
 
 /// Returns the value at x of the Lagrange polynomial that is 1 at the node with the index j and 0 at the others:

@@ -2,6 +2,7 @@
 
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::{ROUND_OFF, Ratios, unknown};
+use crate::iteration::lane_problem::{LARGEST_GROWTH, Prediction};
 use crate::iteration::stage_scale::Scale;
 use crate::iteration::stage_solver::{
     StageEquations, StageSolver, Unconverged, fill_unless, fit, set_combination,
@@ -11,9 +12,6 @@ use crate::stages::extrapolation::Predictor;
 use crate::stages::newton::FieldOn;
 use crate::vector_field::VectorField;
 use lie_poisson::{Mask, Real, State};
-
-/// The largest multiple of the last stage derivatives that a prediction may have.
-const LARGEST_GROWTH: f64 = 2.0;
 
 /// The stage derivatives of the last steps of equal size, each of which began where the one before it ended.
 ///
@@ -99,15 +97,35 @@ impl<V: State> StageHistory<V> {
     ) -> Result<usize, Unconverged<MaskOf<V>>> {
         let frame = field.stage_frame();
         self.keep_where(z, size, predictor, &frame);
-        let guessed = self.guess(predictor, &frame, k, spare);
-        if !guessed.all() {
-            begin_with(field, z, guessed, (k, spare));
-        }
         let none = MaskOf::<V>::from_bool(false);
-        let usual = if guessed.all() { self.iterations } else { 0 };
-        let mut outcome = match equations.solve_in_lanes(solver, k, (&mut self.pace, usual)) {
-            Some(outcome) => outcome,
-            None => solver.solve_from(none, scale, k, spare, &mut self.pace, &mut equations),
+        let predicted = match self.steps_in_lanes(predictor, &frame) {
+            Some(steps) => {
+                let past = &self.past[self.newest - steps * self.stages..self.newest];
+                let (columns, last) =
+                    (&*predictor.columns[steps - 1], &past[past.len() - k.len()..]);
+                let prediction = Some(Prediction { past, columns, last });
+                let pace = (&mut self.pace, self.iterations);
+                equations.solve_in_lanes(solver, k, prediction, pace)
+            }
+            None => None,
+        };
+        let (guessed, mut outcome) = match predicted {
+            Some(outcome) => (none.not(), outcome),
+            None => {
+                let guessed = self.guess(predictor, &frame, k, spare);
+                if !guessed.all() {
+                    begin_with(field, z, guessed, (k, spare));
+                }
+                let usual = if guessed.all() { self.iterations } else { 0 };
+                let pace = (&mut self.pace, usual);
+                let outcome = match equations.solve_in_lanes(solver, k, None, pace) {
+                    Some(outcome) => outcome,
+                    None => {
+                        solver.solve_from(none, scale, k, spare, &mut self.pace, &mut equations)
+                    }
+                };
+                (guessed, outcome)
+            }
         };
         self.iterations = match &outcome {
             Ok(iterations) if guessed.all() => *iterations,
@@ -178,6 +196,15 @@ impl<V: State> StageHistory<V> {
                 *ratio = Real::select(near, *ratio, V::Scalar::from_f64(f64::INFINITY));
             }
         }
+    }
+
+    /// Returns the number of steps from which stages side by side are predicted: that of all that are remembered, in the
+    /// coordinates of the field.
+    #[cfg_attr(optimised, inline(always))]
+    fn steps_in_lanes(&self, predictor: &Predictor, frame: &impl StageFrame<V>) -> Option<usize> {
+        let all = |steps: &usize| self.remembers(*steps).all();
+        let steps = (1..self.most + 1).rev().find(all).filter(|_| !frame.continues())?;
+        (steps <= predictor.columns.len() && steps * self.stages > 1).then_some(steps)
     }
 
     /// Writes a prediction to k. Returns the lanes in which there is one.

@@ -17,7 +17,7 @@ use lie_poisson::{
 )]
 pub trait LaneField: VectorField<f64> {
     /// Solves stage equations with one stage in each lane of a register. Returns `None` if the processor lacks the
-    /// instructions.
+    /// instructions, or if nothing modest is predicted.
     fn solve_over_lanes(
         &self,
         instructions: InstructionSet,
@@ -88,7 +88,7 @@ where
         }
         let Self { field, problem, outcome } = self;
         let blank = <<F as VectorField<T>>::Point>::zeros_of(&problem.z.shape());
-        *outcome = Some(problem.solve::<T, _, S>(
+        *outcome = problem.solve::<T, _, S>(
             blank,
             #[cfg_attr(optimised, inline(always))]
             |z, value| match size_of::<<V as State>::Pool>() {
@@ -96,7 +96,7 @@ where
                 0 => *value = VectorField::<T>::at(field, z),
                 _ => VectorField::<T>::at_into(field, z, value),
             },
-        ));
+        );
     }
 }
 
