@@ -100,9 +100,8 @@ pub struct StructureTable {
     dimension: usize,
     /// The constants that are not zero, in the order of their indices.
     entries: Arc<[StructureEntry]>,
-    /// Those of them with i < j, in the order of k, i, j. Neighbours with the same k seldom have another index in common, so that
-    /// a processor adds several terms of ad∗_ξ μ at once.
-    upper: Arc<[StructureEntry]>,
+    /// The same constants for each j, whose terms are one coordinate of ad∗_ξ μ.
+    terms: Arc<[Box<[StructureEntry]>]>,
 }
 
 impl StructureTable {
@@ -128,10 +127,14 @@ impl StructureTable {
         let mut entries: Vec<StructureEntry> = nonzero.collect();
         entries.sort_by_key(place);
         entries.dedup();
-        let upper = entries.iter().copied().filter(|entry| entry.i < entry.j);
-        let mut upper: Vec<StructureEntry> = upper.collect();
-        upper.sort_by_key(|entry| (entry.k, entry.i, entry.j));
-        let table = Self { dimension, entries: entries.into(), upper: upper.into() };
+        let mut terms = vec![Vec::new(); dimension];
+        for entry in &entries {
+            if let Some(terms) = terms.get_mut(entry.j) {
+                terms.push(*entry);
+            }
+        }
+        let terms = terms.into_iter().map(Vec::into_boxed_slice).collect();
+        let table = Self { dimension, entries: entries.into(), terms };
         table.check()?;
         Ok(table)
     }
@@ -159,15 +162,14 @@ impl StructureTable {
     #[cfg_attr(optimised, inline(always))]
     pub fn coadjoint<T: Real>(&self, xi: &[T], mu: &[T], rate: &mut [T]) {
         rate.fill(T::zero());
-        for &StructureEntry { i, j, k, value } in &*self.upper {
-            let Some(mu) = mu.get(k) else { continue };
-            let term = *mu * value;
-            if let (Some(xi), Some(rate)) = (xi.get(i), rate.get_mut(j)) {
-                *rate += *xi * term;
+        for (rate, terms) in rate.iter_mut().zip(&*self.terms) {
+            let mut sum = T::zero();
+            for &StructureEntry { i, k, value, .. } in terms {
+                if let (Some(xi), Some(mu)) = (xi.get(i), mu.get(k)) {
+                    sum += *xi * (*mu * value);
+                }
             }
-            if let (Some(xi), Some(rate)) = (xi.get(j), rate.get_mut(i)) {
-                *rate -= *xi * term;
-            }
+            *rate = sum;
         }
     }
 
