@@ -57,7 +57,8 @@ impl Integration<'_> {
             (Formulation::Direct, _) if algebra.width() == 3 => self.completed_in_lanes::<3>(),
             (Formulation::Direct, _) if algebra.width() == 6 => self.completed_in_lanes::<6>(),
             (Formulation::Direct, _) => {
-                let direct = StagesInLanes::widest(Direct::new(self.scheme()?, self.table_field()));
+                let direct =
+                    StagesInLanes::detected(Direct::new(self.scheme()?, self.table_field()));
                 let momentum = self.momentum_of_any_size();
                 Ok(Some(AnyIntegrator::of_states(direct, &momentum, &momentum)))
             }
@@ -92,7 +93,7 @@ impl Integration<'_> {
         is_plus: bool,
     ) -> Result<Along, FormulaSystemError> {
         let field = self.realised_field(momenta, is_plus)?;
-        Ok(StagesInLanes::widest(Direct::new(self.scheme()?, field)))
+        Ok(StagesInLanes::detected(Direct::new(self.scheme()?, field)))
     }
 
     /// Computes the stages of an integrator side by side, and hides its type.
@@ -100,7 +101,7 @@ impl Integration<'_> {
     where
         I: FieldInLanes + Start<State: Vector, Momentum: Vector> + Send + Sync + 'static,
     {
-        AnyIntegrator::new(StagesInLanes::widest(integrator), self.system.algebra().dimension())
+        AnyIntegrator::new(StagesInLanes::detected(integrator), self.system.algebra().dimension())
     }
 }
 

@@ -2,7 +2,11 @@
 
 use crate::error::SchemeError;
 use crate::tableaux::tableau::Tableau;
+use std::sync::OnceLock;
 use twofloat::TwoFloat;
+
+/// The methods that have been computed, by their numbers of stages. To compute one takes as long as a hundred of its steps.
+static KNOWN: [OnceLock<Tableau>; 17] = [const { OnceLock::new() }; 17];
 
 impl Tableau {
     /// Creates Gauss–Legendre collocation with s stages: order 2s, symplectic, symmetric.
@@ -22,6 +26,14 @@ impl Tableau {
     /// # Errors
     /// Returns [`SchemeError::NoStages`] if `stages` is 0.
     pub fn gauss(stages: usize) -> Result<Self, SchemeError> {
+        let Some(known) = KNOWN.get(stages) else { return Self::computed(stages) };
+        match known.get() {
+            Some(tableau) => Ok(tableau.clone()),
+            None => Self::computed(stages).map(|tableau| known.get_or_init(|| tableau).clone()),
+        }
+    }
+
+    fn computed(stages: usize) -> Result<Self, SchemeError> {
         let nodes: Vec<_> = (0..stages).map(|i| legendre_zero(stages, i)).collect();
         let values: Vec<_> = nodes.iter().map(|&x| legendre(stages + 1, x)).collect();
         let weights: Vec<_> = (0..stages).map(|j| weight(stages, nodes[j], &values[j])).collect();

@@ -10,22 +10,23 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Instant;
 
-/// The number of samples after which a run looks for Ctrl-C.
-const BETWEEN_SIGNALS: u64 = 1 << 12;
+/// The number of steps after which a run looks for Ctrl-C.
+pub(crate) const BETWEEN_SIGNALS: u64 = 1 << 12;
 
 /// The time after which the thread of Python looks for Ctrl-C, while others work or in between.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
 
 /// Looks for Ctrl-C now and then.
 pub(crate) struct Interruption {
-    samples: Cell<u64>,
+    /// The number of steps since the last look.
+    steps: Cell<u64>,
     looked: Cell<Instant>,
     error: RefCell<Option<PyErr>>,
 }
 
 impl Default for Interruption {
     fn default() -> Self {
-        Self { samples: Cell::new(0), looked: Cell::new(Instant::now()), error: RefCell::new(None) }
+        Self { steps: Cell::new(0), looked: Cell::new(Instant::now()), error: RefCell::new(None) }
     }
 }
 
@@ -48,13 +49,17 @@ impl Interruption {
 
     /// Returns the samples until Ctrl-C.
     pub(crate) fn until<J: Iterator>(&self, samples: J) -> impl Iterator<Item = J::Item> {
-        samples.take_while(|_| {
-            self.samples.set(self.samples.get() + 1);
-            if self.samples.get().is_multiple_of(BETWEEN_SIGNALS) {
-                self.look();
-            }
-            self.error.borrow().is_none()
-        })
+        samples.take_while(|_| self.goes_on_after(1))
+    }
+
+    /// Returns whether a run that has made so many more steps is to go on.
+    pub(crate) fn goes_on_after(&self, steps: u64) -> bool {
+        self.steps.set(self.steps.get().saturating_add(steps));
+        if self.steps.get() >= BETWEEN_SIGNALS {
+            self.steps.set(0);
+            self.look();
+        }
+        self.error.borrow().is_none()
     }
 
     /// Returns the result of what read the samples, or asked whether to go on.

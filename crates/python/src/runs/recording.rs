@@ -1,7 +1,7 @@
 //! The recording of a run: times, states, conserved quantities, attitudes, events.
 
 use super::event::{Event, event_failed};
-use super::interruption::Interruption;
+use super::interruption::{BETWEEN_SIGNALS, Interruption};
 use super::record::Record;
 use crate::errors::{IntegrationError, failed};
 use collective_integrators::{AnyIntegrator, EventError, EventSearch, SampleOf, Trajectory};
@@ -32,7 +32,7 @@ impl Recording<'_> {
     pub(crate) fn follow(
         &self,
         integrator: &AnyIntegrator,
-        run: Trajectory<'_, AnyIntegrator>,
+        mut run: Trajectory<'_, AnyIntegrator>,
     ) -> PyResult<Record> {
         let samples = (self.schedule.steps / self.every).saturating_add(2);
         let attitude_width = if self.attitude { 4 } else { 0 };
@@ -42,7 +42,11 @@ impl Recording<'_> {
         let timed = TimedIntegrator::new(integrator);
         let mut searches: Vec<_> = self.events.iter().map(|event| event.search(&timed)).collect();
         let interruption = Interruption::default();
-        for sample in interruption.until(run) {
+        let mut skipped = 0;
+        while let Some(sample) = run.nth(skipped) {
+            if !interruption.goes_on_after(skipped as u64 + 1) {
+                break;
+            }
             let sample = match sample {
                 Ok(sample) => sample,
                 Err(error) => {
@@ -79,8 +83,16 @@ impl Recording<'_> {
             if end.is_some() || sample.step >= last || record.failure.is_some() {
                 break;
             }
+            skipped = self.steps_after(sample.step) as usize - 1;
         }
         interruption.or(Ok(record))
+    }
+
+    /// Returns the number of steps from one sample to the next: one if there are events, otherwise as many as lead to one that
+    /// is kept, or at which the run looks for Ctrl-C.
+    fn steps_after(&self, step: u64) -> u64 {
+        let (kept, last) = (self.every - step % self.every, self.schedule.steps - step);
+        if self.events.is_empty() { kept.min(last).min(BETWEEN_SIGNALS) } else { 1 }
     }
 
     /// Adds the events that a sample completes, and returns the one that ends the run, if any.

@@ -79,6 +79,12 @@ impl<I: FieldInLanes> StagesInLanes<I> {
         Self { integrator, instructions: FastestSet::up_to(InstructionSet::detected()) }
     }
 
+    /// Creates the integrator on the widest registers of this processor, without a measurement. It is for fields that are
+    /// known to be faster there. The steps are bit-identical to those of [`new`](Self::new).
+    pub fn detected(integrator: I) -> Self {
+        Self { integrator, instructions: FastestSet::given(InstructionSet::detected()) }
+    }
+
     /// Replaces the instruction set. No other set is used, even if it is faster.
     ///
     /// # Errors

@@ -12,6 +12,6 @@ pub struct Sample<S, M> {
     pub state: S,
     /// The momentum μ of the state. For equations on a space other than 𝔤∗ it is the state itself.
     pub momentum: M,
-    /// The number of iterations of the stage solver in the last step.
+    /// The number of iterations of the stage solver in the steps since the previous sample; 0 in the first one.
     pub iterations: usize,
 }
