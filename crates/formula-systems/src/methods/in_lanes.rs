@@ -54,16 +54,22 @@ impl Integration<'_> {
                 let field = HamiltonianField { space, hamiltonian };
                 Ok(Some(self.in_lanes(Direct::new(self.scheme()?, field))))
             }
-            (Formulation::Direct, _) if algebra.width() == 3 => self.completed_in_lanes::<3>(),
-            (Formulation::Direct, _) if algebra.width() == 6 => self.completed_in_lanes::<6>(),
-            (Formulation::Direct, _) => {
-                let direct =
-                    StagesInLanes::detected(Direct::new(self.scheme()?, self.table_field()));
-                let momentum = self.momentum_of_any_size();
-                Ok(Some(AnyIntegrator::of_states(direct, &momentum, &momentum)))
-            }
+            (Formulation::Direct, _) => match algebra.width() {
+                3 => self.completed_in_lanes::<3>(),
+                6 => self.completed_in_lanes::<6>(),
+                // A body in two fields and three spins have as many, and are common.
+                9 => self.completed_in_lanes::<9>(),
+                _ => self.table_in_lanes(),
+            },
             _ => Ok(None),
         }
+    }
+
+    /// Applies the scheme to the equations on an algebra of any dimension.
+    fn table_in_lanes(&self) -> MadeInLanes {
+        let direct = StagesInLanes::detected(Direct::new(self.scheme()?, self.table_field()));
+        let momentum = self.momentum_of_any_size();
+        Ok(Some(AnyIntegrator::of_states(direct, &momentum, &momentum)))
     }
 
     /// Applies the scheme to the equations, on the algebra that is completed to the dimension N.

@@ -7,9 +7,19 @@ use lie_poisson_formulas::Parameters;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
-/// Algebras of each family, with momenta along matrices, and of dimensions that tables complete to 3 or 6.
-const ALGEBRAS: [&str; 9] =
-    ["so(3)", "su(2)", "se(3)", "se(2)", "so(2,1)", "so(4)", "so(5)", "so(3)^2", "so(2,1) + R1"];
+/// Algebras of each family, with momenta along matrices, of dimensions that tables complete to 3 or 6, and of 9.
+const ALGEBRAS: [&str; 10] = [
+    "so(3)",
+    "su(2)",
+    "se(3)",
+    "se(2)",
+    "so(2,1)",
+    "so(4)",
+    "so(5)",
+    "so(3)^2",
+    "so(2,1) + R1",
+    "so(3) ⋉ (R3 + R3)",
+];
 
 /// Returns Σ_i x_i²/(i + 1), with or without other terms, in the coordinates x of an algebra.
 fn system(algebra: &str, other_terms: bool) -> Result<FormulaSystem, FormulaSystemError> {
