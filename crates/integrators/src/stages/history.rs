@@ -98,18 +98,8 @@ impl<V: State> StageHistory<V> {
         let frame = field.stage_frame();
         self.keep_where(z, size, predictor, &frame);
         let none = MaskOf::<V>::from_bool(false);
-        let predicted = match self.steps_in_lanes(predictor, &frame) {
-            Some(steps) => {
-                let past = &self.past[self.newest - steps * self.stages..self.newest];
-                let (columns, last) =
-                    (&*predictor.columns[steps - 1], &past[past.len() - k.len()..]);
-                let prediction = Some(Prediction { past, columns, last });
-                let pace = (&mut self.pace, self.iterations);
-                equations.solve_in_lanes(solver, k, prediction, pace)
-            }
-            None => None,
-        };
-        let (guessed, mut outcome) = match predicted {
+        let in_lanes = self.solve_predicted(predictor, solver, &frame, k, &mut equations);
+        let (guessed, mut outcome) = match in_lanes {
             Some(outcome) => (none.not(), outcome),
             None => {
                 let guessed = self.guess(predictor, &frame, k, spare);
@@ -117,12 +107,10 @@ impl<V: State> StageHistory<V> {
                     begin_with(field, z, guessed, (k, spare));
                 }
                 let usual = if guessed.all() { self.iterations } else { 0 };
-                let pace = (&mut self.pace, usual);
-                let outcome = match equations.solve_in_lanes(solver, k, None, pace) {
+                let pace = &mut self.pace;
+                let outcome = match equations.solve_in_lanes(solver, k, None, (pace, usual)) {
                     Some(outcome) => outcome,
-                    None => {
-                        solver.solve_from(none, scale, k, spare, &mut self.pace, &mut equations)
-                    }
+                    None => solver.solve_from(none, scale, k, spare, pace, &mut equations),
                 };
                 (guessed, outcome)
             }
@@ -150,6 +138,24 @@ impl<V: State> StageHistory<V> {
         };
         self.remember(predictor, &frame, size, k, converged);
         outcome
+    }
+
+    /// Solves the equations with stages side by side, which are predicted side by side, too; `None` if they are not, or if nothing
+    /// modest is predicted.
+    #[cfg_attr(optimised, inline(always))]
+    fn solve_predicted(
+        &mut self,
+        predictor: &Predictor,
+        solver: &StageSolver,
+        frame: &impl StageFrame<V>,
+        k: &mut [V],
+        equations: &mut impl StageEquations<V>,
+    ) -> Option<Result<usize, Unconverged<MaskOf<V>>>> {
+        let steps = self.steps_in_lanes(predictor, frame)?;
+        let past = &self.past[self.newest - steps * self.stages..self.newest];
+        let (columns, last) = (&*predictor.columns[steps - 1], &past[past.len() - self.stages..]);
+        let prediction = Prediction { past, columns, last };
+        equations.solve_in_lanes(solver, k, Some(prediction), (&mut self.pace, self.iterations))
     }
 
     /// Records that the step that was solved last ends at z + `change`.

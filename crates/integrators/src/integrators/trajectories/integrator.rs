@@ -300,7 +300,8 @@ impl<'a, I: Integrator<T>, T: Real> Trajectory<'a, I, T> {
     /// Returns the iterator over every n-th item, beginning with the next one: a `step_by(n)` that cannot panic.
     ///
     /// [`Integrator::advance`] makes the steps between two items, without samples. The items are bit-identical to those
-    /// of the whole trajectory, except that each counts the iterations of all n steps. If a step fails on the way to an item, that item and all after it are its error.
+    /// of the whole trajectory, except that each counts the iterations of all n steps. If a step fails on the way to an
+    /// item, that item and all after it are its error.
     ///
     /// # Example
     /// With 100 steps in a period, 4K(sin²(θ/2)) for θ = 1 (DLMF §22.19(i)), every 100th sample of a pendulum is back
