@@ -23,6 +23,15 @@ def test_a_run_has_the_shapes_of_scipy():
     assert run.invariants["K"][0] == pytest.approx(193.0, rel=1e-14)
 
 
+def test_samples_that_are_not_kept_change_nothing():
+    settings = dict(**START, step=0.1, end=10.3, scheme="gauss-8")
+    whole, some, last = (Top.kovalevskaya().solve(**settings, every=every) for every in (1, 7, 10**6))
+    assert np.array_equal(some.t, whole.t[[*range(0, 103, 7), 103]])
+    assert np.array_equal(some.y, whole.y[:, [*range(0, 103, 7), 103]])
+    assert np.array_equal(last.y, whole.y[:, [0, 103]])
+    assert whole.iterations == some.iterations == last.iterations > 103
+
+
 @pytest.mark.parametrize("formulation", heavytop.FORMULATIONS)
 def test_casimirs_hold_where_the_formulation_promises(formulation):
     # A Gauss method conserves Casimirs that are quadratic even when it is applied directly.
