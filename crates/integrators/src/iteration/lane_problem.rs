@@ -2,6 +2,7 @@
 
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::{NEAR, Ratios};
+use crate::iteration::prediction::{LARGEST_GROWTH, Prediction};
 use crate::iteration::stage_rows::{StageColumns, StageRow, StageRows, WIDTH};
 use crate::iteration::stage_scale::{Scale, StageScale, SweepChange};
 use crate::iteration::stage_solver::{StageSolver, Unconverged};
@@ -32,20 +33,6 @@ pub struct LaneProblem<'a, V: State> {
     pub(crate) usual: usize,
     pub(crate) rows: &'a mut StageRows,
 }
-
-/// A guess Σ_j w_ij k_j of the stage derivatives, from those of the last steps.
-#[derive(Debug)]
-pub(crate) struct Prediction<'a, V> {
-    /// The stage derivatives k_j, oldest first.
-    pub(crate) past: &'a [V],
-    /// The columns w_0j, w_1j, … of the weights.
-    pub(crate) columns: &'a [StageRow],
-    /// The stage derivatives of the last step.
-    pub(crate) last: &'a [V],
-}
-
-/// The largest multiple of the last stage derivatives that a prediction may have.
-pub(crate) const LARGEST_GROWTH: f64 = 2.0;
 
 /// The number of sweeps that are watched before the one with which the iteration is expected to end.
 ///

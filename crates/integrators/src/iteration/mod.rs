@@ -6,3 +6,4 @@ pub(crate) mod stage_scale;
 pub(crate) mod stage_solver;
 pub(crate) mod stage_rows;
 pub(crate) mod lane_problem;
+pub(crate) mod prediction;

@@ -3,7 +3,7 @@
 use crate::error::StepError;
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::{ConvergenceTest, FLOOR, Ratios, is_finite, unknown};
-use crate::iteration::lane_problem::Prediction;
+use crate::iteration::prediction::Prediction;
 use crate::iteration::stage_scale::{OwnScale, Scale, SweepChange};
 use lie_poisson::{Mask, Real, State, larger};
 use nalgebra::Vector1;

@@ -2,7 +2,8 @@
 
 use crate::iteration::block_sizes::MaskOf;
 use crate::iteration::convergence::Ratios;
-use crate::iteration::lane_problem::{LaneProblem, Outcome, Prediction};
+use crate::iteration::lane_problem::{LaneProblem, Outcome};
+use crate::iteration::prediction::Prediction;
 use crate::iteration::stage_rows::{StageColumns, StageRows};
 use crate::iteration::stage_scale::StageScale;
 use crate::iteration::stage_solver::{StageEquations, StageSolver, set_combination};

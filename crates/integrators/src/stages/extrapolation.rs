@@ -158,6 +158,27 @@ mod tests {
     }
 
     #[test]
+    fn columns_are_those_of_the_matrices() {
+        for s in 1..=9 {
+            let predictor = Predictor::new(Tableau::gauss(s).unwrap().nodes());
+            assert_eq!(
+                predictor.columns.len(),
+                if s > WIDTH { 0 } else { predictor.weights.len() }
+            );
+            for (columns, matrix) in predictor.columns.iter().zip(&predictor.weights) {
+                let count = columns.len();
+                assert_eq!(count * s, matrix.len());
+                for (i, (j, column)) in
+                    (0..WIDTH).flat_map(|i| columns.iter().enumerate().map(move |c| (i, c)))
+                {
+                    // Those of missing stages are those of the last one.
+                    assert_eq!(column.0[i], matrix[i.min(s - 1) * count + j]);
+                }
+            }
+        }
+    }
+
+    #[test]
     fn polynomials_of_the_time_and_errors_that_vary_with_the_step_are_continued() {
         for s in 1..=8 {
             let nodes = Tableau::gauss(s).unwrap().nodes().to_vec();

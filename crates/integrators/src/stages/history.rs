@@ -2,7 +2,7 @@
 
 use crate::iteration::block_sizes::{BlockSizes, MaskOf};
 use crate::iteration::convergence::{ROUND_OFF, Ratios, unknown};
-use crate::iteration::lane_problem::{LARGEST_GROWTH, Prediction};
+use crate::iteration::prediction::{LARGEST_GROWTH, Prediction};
 use crate::iteration::stage_scale::Scale;
 use crate::iteration::stage_solver::{
     StageEquations, StageSolver, Unconverged, fill_unless, fit, set_combination,

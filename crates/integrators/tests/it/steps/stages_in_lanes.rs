@@ -213,6 +213,38 @@ impl<T: Real> VectorField<T> for Stiff {
     }
 }
 
+/// The field dx/dt = λx.
+#[derive(Clone, Copy)]
+struct Growth(f64);
+
+impl<T: Real> VectorField<T> for Growth {
+    type Point = Vector1<T>;
+    fn at(&self, x: &Vector1<T>) -> Vector1<T> {
+        x * T::from_f64(self.0)
+    }
+}
+
+/// With λh = 1 the derivatives grow by e in a step, which a guess may not, and X(x) begins each step. The control grows less.
+#[test]
+fn what_is_predicted_to_grow_too_much_is_no_guess() {
+    let iterations = |rate: f64, remembers: bool| {
+        let lanes = StagesInLanes::widest(Direct::new(RungeKutta::gauss(8).unwrap(), Growth(rate)));
+        let (mut x, mut workspace) = (Vector1::x(), lanes.workspace());
+        let count = |_| {
+            if !remembers {
+                lanes.forget(&mut workspace);
+            }
+            lanes.step_in_place(&mut x, 1.0, &mut workspace).unwrap()
+        };
+        let sum: usize = (0..10).map(count).sum();
+        // Ten steps, each with a rounding error or two.
+        assert!((x.x / (10.0 * rate).exp() - 1.0).abs() < 20.0 * f64::EPSILON, "{rate}");
+        sum
+    };
+    assert_eq!(iterations(1.0, true), iterations(1.0, false));
+    assert!(iterations(0.1, true) + 10 < iterations(0.1, false));
+}
+
 #[test]
 fn newtons_iteration_follows_where_sweeps_diverge() {
     let direct = Direct::new(RungeKutta::gauss(4).unwrap(), Stiff);
