@@ -2,10 +2,14 @@
 
 use crate::tableaux::tableau::Tableau;
 use core::array::from_fn;
+use core::ops::RangeInclusive;
 use lie_poisson::Lanes;
 
 /// The largest number of stages that are computed side by side.
 pub(crate) const WIDTH: usize = 8;
+
+/// The numbers of stages that are computed side by side.
+pub(crate) const SIDE_BY_SIDE: RangeInclusive<usize> = 2..=WIDTH;
 
 /// A number for each stage, aligned for the widest register. Those of missing stages repeat the last stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +45,7 @@ impl StageColumns {
     /// Creates the columns of an implicit method of two to [`WIDTH`] stages. Returns `None` for other methods.
     pub(crate) fn new(tableau: &Tableau) -> Option<Self> {
         let stages = tableau.stages();
-        if tableau.is_explicit() || !(2..=WIDTH).contains(&stages) {
+        if tableau.is_explicit() || !SIDE_BY_SIDE.contains(&stages) {
             return None;
         }
         let low = (!tableau.row_low(0).is_empty())

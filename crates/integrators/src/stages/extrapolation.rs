@@ -1,6 +1,6 @@
 //! Extrapolation of stage derivatives: [`Predictor`].
 
-use crate::iteration::stage_rows::{StageRow, WIDTH, column};
+use crate::iteration::stage_rows::{SIDE_BY_SIDE, StageRow, column};
 
 /// The least distance of nodes, in steps, for which a polynomial through them is used.
 const LEAST_DISTANCE: f64 = 1e-3;
@@ -39,7 +39,7 @@ impl Predictor {
         while let Some(last) = weights.last().filter(|_| weights.len() < most) {
             weights.push(corrected(last, nodes.len()));
         }
-        let side_by_side = if nodes.len() <= WIDTH { &*weights } else { &[] };
+        let side_by_side = if SIDE_BY_SIDE.contains(&nodes.len()) { &*weights } else { &[] };
         let columns = side_by_side.iter().map(|matrix| columns(matrix, nodes.len())).collect();
         Self { stages: nodes.len(), weights, columns }
     }
@@ -137,6 +137,7 @@ pub fn lagrange_polynomial(nodes: &[f64], index: usize, x: f64) -> f64 {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+    use crate::iteration::stage_rows::WIDTH;
     use crate::tableaux::tableau::Tableau;
 
     /// The stage derivatives of the step with the number n: a polynomial of the time of some degree, and at each stage
@@ -161,10 +162,8 @@ mod tests {
     fn columns_are_those_of_the_matrices() {
         for s in 1..=9 {
             let predictor = Predictor::new(Tableau::gauss(s).unwrap().nodes());
-            assert_eq!(
-                predictor.columns.len(),
-                if s > WIDTH { 0 } else { predictor.weights.len() }
-            );
+            let expected = if (2..=8).contains(&s) { predictor.weights.len() } else { 0 };
+            assert_eq!(predictor.columns.len(), expected);
             for (columns, matrix) in predictor.columns.iter().zip(&predictor.weights) {
                 let count = columns.len();
                 assert_eq!(count * s, matrix.len());

@@ -151,9 +151,17 @@ impl<V: State> StageHistory<V> {
         k: &mut [V],
         equations: &mut impl StageEquations<V>,
     ) -> Option<Result<usize, Unconverged<MaskOf<V>>>> {
-        let steps = self.steps_in_lanes(predictor, frame)?;
-        let past = &self.past[self.newest - steps * self.stages..self.newest];
-        let (columns, last) = (&*predictor.columns[steps - 1], &past[past.len() - self.stages..]);
+        // There are no stages in the lanes of states that are themselves in wide registers.
+        if !V::Scalar::HAS_SLOW_PATHS || predictor.columns.is_empty() || frame.continues() {
+            return None;
+        }
+        let matrices = (1..self.most + 1).zip(&predictor.columns).rev();
+        let mut remembered = matrices.filter(|(steps, _)| self.remembers(*steps).all());
+        let (steps, columns) = remembered.next()?;
+        // What cannot panic costs nothing where the equations have no lanes.
+        let first = self.newest.checked_sub(steps * self.stages)?;
+        let past = self.past.get(first..self.newest)?;
+        let last = past.get(past.len().checked_sub(self.stages)?..)?;
         let prediction = Prediction { past, columns, last };
         equations.solve_in_lanes(solver, k, Some(prediction), (&mut self.pace, self.iterations))
     }
@@ -202,15 +210,6 @@ impl<V: State> StageHistory<V> {
                 *ratio = Real::select(near, *ratio, V::Scalar::from_f64(f64::INFINITY));
             }
         }
-    }
-
-    /// Returns the number of steps from which stages side by side are predicted: that of all that are remembered, in the
-    /// coordinates of the field.
-    #[cfg_attr(optimised, inline(always))]
-    fn steps_in_lanes(&self, predictor: &Predictor, frame: &impl StageFrame<V>) -> Option<usize> {
-        let all = |steps: &usize| self.remembers(*steps).all();
-        let steps = (1..self.most + 1).rev().find(all).filter(|_| !frame.continues())?;
-        (steps <= predictor.columns.len() && steps * self.stages > 1).then_some(steps)
     }
 
     /// Writes a prediction to k. Returns the lanes in which there is one.
