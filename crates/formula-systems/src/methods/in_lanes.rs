@@ -67,7 +67,7 @@ impl Integration<'_> {
 
     /// Applies the scheme to the equations on an algebra of any dimension.
     fn table_in_lanes(&self) -> MadeInLanes {
-        let direct = StagesInLanes::detected(Direct::new(self.scheme()?, self.table_field()));
+        let direct = self.side_by_side(Direct::new(self.scheme()?, self.table_field()));
         let momentum = self.momentum_of_any_size();
         Ok(Some(AnyIntegrator::of_states(direct, &momentum, &momentum)))
     }
@@ -99,7 +99,16 @@ impl Integration<'_> {
         is_plus: bool,
     ) -> Result<Along, FormulaSystemError> {
         let field = self.realised_field(momenta, is_plus)?;
-        Ok(StagesInLanes::detected(Direct::new(self.scheme()?, field)))
+        Ok(self.side_by_side(Direct::new(self.scheme()?, field)))
+    }
+
+    /// Computes the stages of an integrator side by side, without a measurement if wide registers are known to pay.
+    fn side_by_side<I: FieldInLanes>(&self, integrator: I) -> StagesInLanes<I> {
+        if self.system.motion().pays_in_wide_registers() {
+            StagesInLanes::detected(integrator)
+        } else {
+            StagesInLanes::widest(integrator)
+        }
     }
 
     /// Computes the stages of an integrator side by side, and hides its type.
@@ -107,7 +116,7 @@ impl Integration<'_> {
     where
         I: FieldInLanes + Start<State: Vector, Momentum: Vector> + Send + Sync + 'static,
     {
-        AnyIntegrator::new(StagesInLanes::detected(integrator), self.system.algebra().dimension())
+        AnyIntegrator::new(self.side_by_side(integrator), self.system.algebra().dimension())
     }
 }
 

@@ -271,6 +271,23 @@ impl Formula {
         self.0.value.scalar(count, z)
     }
 
+    /// Returns whether the differential takes less time in wider registers. It need not if it has hundreds of terms, which need
+    /// more than 1,024 numbers at once.
+    ///
+    /// ```
+    /// use lie_poisson::So3;
+    /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+    /// let names = Vocabulary::of(&So3, &Parameters::new())?;
+    /// let terms = |count| (0..count).map(|k| format!("sin({k}*Pi1)*cos(Pi2^{k})")).collect::<Vec<_>>().join(" + ");
+    /// assert!(Formula::new(&terms(3), &names)?.pays_in_wide_registers());
+    /// assert!(!Formula::new(&terms(300), &names)?.pays_in_wide_registers());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn pays_in_wide_registers(&self) -> bool {
+        self.0.gradient.pays_in_wide_registers()
+    }
+
     /// Returns the differential dh(z), with the coordinates ∂h/∂zᵢ, or NaN if z has fewer or more coordinates
     /// than the formula.
     #[cfg_attr(optimised, inline(always))]

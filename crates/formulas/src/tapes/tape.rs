@@ -62,6 +62,11 @@ impl Tape {
         })
     }
 
+    /// Returns whether the code for wide registers has the evaluation inlined, as it has up to the last size but one.
+    pub(crate) fn pays_in_wide_registers(&self) -> bool {
+        self.size <= SIZES[4]
+    }
+
     /// Returns the number of instructions.
     #[cfg(test)]
     fn len(&self) -> usize {
