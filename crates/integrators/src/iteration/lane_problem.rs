@@ -150,10 +150,11 @@ impl<V: State> LaneProblem<'_, V> {
     #[cfg_attr(optimised, inline(always))]
     fn write_prediction<T: Lanes, W: State<Scalar = T>, const S: usize>(
         &mut self,
-        Prediction { past, columns, last }: Prediction<'_, V>,
+        Prediction { past, columns }: Prediction<'_, V>,
         guess: &mut W,
     ) -> bool {
-        let (last, mut size) = (BlockSizes::of(last), BlockSizes::zero());
+        let of_last_step = past.len().saturating_sub(self.columns.stages);
+        let (last, mut size) = (BlockSizes::of(&past[of_last_step..]), BlockSizes::zero());
         for block in 0..S.div_ceil(T::COUNT) {
             guess.set_coordinates(
                 #[cfg_attr(optimised, inline(always))]

@@ -9,8 +9,6 @@ pub(crate) struct Prediction<'a, V> {
     pub(crate) past: &'a [V],
     /// The columns w_0j, w_1j, … of the weights.
     pub(crate) columns: &'a [StageRow],
-    /// The stage derivatives of the last step.
-    pub(crate) last: &'a [V],
 }
 
 /// The largest multiple of the last stage derivatives that a prediction may have.

@@ -161,8 +161,7 @@ impl<V: State> StageHistory<V> {
         // What cannot panic costs nothing where the equations have no lanes.
         let first = self.newest.checked_sub(steps * self.stages)?;
         let past = self.past.get(first..self.newest)?;
-        let last = past.get(past.len().checked_sub(self.stages)?..)?;
-        let prediction = Prediction { past, columns, last };
+        let prediction = Prediction { past, columns };
         equations.solve_in_lanes(solver, k, Some(prediction), (&mut self.pace, self.iterations))
     }
 

@@ -33,6 +33,7 @@ impl Tableau {
         }
     }
 
+    /// Computes the coefficients, which are the same each time.
     fn computed(stages: usize) -> Result<Self, SchemeError> {
         let nodes: Vec<_> = (0..stages).map(|i| legendre_zero(stages, i)).collect();
         let values: Vec<_> = nodes.iter().map(|&x| legendre(stages + 1, x)).collect();
