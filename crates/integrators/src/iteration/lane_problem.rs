@@ -285,26 +285,12 @@ fn number<T: Real>(x: T) -> f64 {
 /// Returns the largest sizes in all lanes.
 #[cfg_attr(optimised, inline(always))]
 fn largest_lanes<T: Lanes, W: State<Scalar = T>, V: State>(sizes: &BlockSizes<W>) -> BlockSizes<V> {
+    let all = |x: T, f: fn(f64, f64) -> f64| (1..T::COUNT).fold(x.lane(0), |y, i| f(x.lane(i), y));
     BlockSizes::from_parts(
         #[cfg_attr(optimised, inline(always))]
-        |block| V::Scalar::from_f64(over_lanes(sizes.at(block), Real::maximum)),
-        V::Scalar::from_f64(over_lanes(sizes.sum(), |x, y| x + y)),
+        |block| V::Scalar::from_f64(all(sizes.at(block), Real::maximum)),
+        V::Scalar::from_f64(all(sizes.sum(), |x, y| x + y)),
     )
-}
-
-/// Returns f of the numbers in all lanes, by halves.
-#[cfg_attr(optimised, inline(always))]
-fn over_lanes<T: Lanes>(x: T, f: impl Fn(f64, f64) -> f64) -> f64 {
-    let mut numbers = StageRow::ZERO;
-    numbers.store(x, 0);
-    let mut count = T::COUNT;
-    while count > 1 {
-        count /= 2;
-        for i in 0..count {
-            numbers.0[i] = f(numbers.0[i + count], numbers.0[i]);
-        }
-    }
-    numbers.0[0]
 }
 
 #[cfg(test)]
