@@ -17,11 +17,11 @@ use collective_integrators::{
 use heavytop::{HeavyTop, SpinorRealisation};
 use lie_poisson::{
     Automatic, Autonomous, Covector, DoubleBracket, Energy, InnerProduct, InstructionSet,
-    IsotropicNoise, LieAlgebra, LieGroup, LiePoisson, MissingInstructions, Momentum, Pair, Real,
-    RealSpace, Se3, Se3Dual, So3,
+    IsotropicNoise, LieAlgebra, LieGroup, LiePoisson, MissingInstructions, Momentum, Pair,
+    PathNumber, Real, RealSpace, Se3, Se3Dual, So3, Time,
 };
 use momentum_map::{Cotangent, DualQuaternions, GroupAction, HOPF, MomentumMap, PARTICLE, Side};
-use nalgebra::{Complex, Matrix3, Vector1, Vector2, Vector3};
+use nalgebra::{Complex, Matrix3, Vector2, Vector3};
 use std::error::Error;
 use std::hint::black_box;
 use std::process::ExitCode;
@@ -303,8 +303,7 @@ fn open_systems() -> Result<[Contest; 3], Box<dyn Error>> {
     let noisy = || Noisy::new(midpoint(), SpinorRealisation, damped.clone(), noise.clone(), paths);
     let reduced = || NoisyReduced::new(DualQuaternions, damped.clone(), noise.clone(), paths);
     let mu = Se3Dual::new(Vector3::new(2.0, 3.0, 1.0), Vector3::new(0.5, 0.0, 0.75_f64.sqrt()));
-    let (in_time, on_path) =
-        (Pair(mu, Vector1::new(0.0)), Pair(mu, Pair(Vector1::new(3.0), Vector1::new(0.0))));
+    let (in_time, on_path) = (Pair(mu, Time(0.0)), Pair(mu, Pair(PathNumber(3.0), Time(0.0))));
     Ok([
         members("top with friction", driven, &driven().start(&in_time)?, h)?,
         members("top at a temperature", noisy, &noisy().start(&on_path)?, h)?,

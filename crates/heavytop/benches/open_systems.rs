@@ -14,11 +14,11 @@ use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterio
 use heavytop::{HeavyTop, HeavyTopSpace, SpinorRealisation};
 use lie_poisson::{
     Autonomous, Covector, Differential, DoubleBracket, Hamiltonian, InTime, InnerProduct,
-    InstructionSet, IsotropicNoise, LiePoisson, Pair, Point, Real, Se3, Se3Dual, TimeDependent,
-    Vector, from_parts,
+    InstructionSet, IsotropicNoise, LiePoisson, Pair, PathNumber, Point, Real, Se3, Se3Dual, Time,
+    TimeDependent, Vector, from_parts,
 };
 use momentum_map::DualQuaternions;
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 use std::hint::black_box;
 
 const STEP: f64 = 0.05;
@@ -33,19 +33,19 @@ struct Swinging(HeavyTop);
 
 impl<T: Real> Hamiltonian<InTime<HeavyTopSpace>, T> for Swinging {
     #[inline(always)]
-    fn value(&self, Pair(mu, t): &Point<InTime<HeavyTopSpace>, T>) -> T {
-        self.0.value(mu) + mu.0.1.x * t.x.cos() * 0.2
+    fn value(&self, Pair(mu, Time(t)): &Point<InTime<HeavyTopSpace>, T>) -> T {
+        self.0.value(mu) + mu.0.1.x * t.cos() * 0.2
     }
 
     #[inline(always)]
     fn differential(
         &self,
-        Pair(mu, t): &Point<InTime<HeavyTopSpace>, T>,
+        Pair(mu, Time(t)): &Point<InTime<HeavyTopSpace>, T>,
     ) -> Differential<InTime<HeavyTopSpace>, T> {
         let mut element = self.0.differential(mu);
-        element.1.x += t.x.cos() * 0.2;
-        let rate = -(mu.0.1.x * t.x.sin() * 0.2);
-        from_parts::<Se3Dual<T>, Vector1<T>>(&element, &Covector(Vector1::new(rate)))
+        element.1.x += t.cos() * 0.2;
+        let rate = -(mu.0.1.x * t.sin() * 0.2);
+        from_parts::<Se3Dual<T>, Time<T>>(&element, &Covector(Time(rate)))
     }
 }
 
@@ -111,8 +111,8 @@ fn time<I: Start<f64, State: Vector>>(
 }
 
 fn one_top(criterion: &mut Criterion) {
-    let in_time = Pair(start(), Vector1::new(0.0));
-    let on_path = Pair(start(), Pair(Vector1::new(0.0), Vector1::new(0.0)));
+    let in_time = Pair(start(), Time(0.0));
+    let on_path = Pair(start(), Pair(PathNumber(0.0), Time(0.0)));
     let driven = |field| Driven::new(midpoint(), SpinorRealisation, field);
 
     let mut group = criterion.benchmark_group("time");
@@ -174,14 +174,14 @@ fn time_batch<I>(
 fn many_tops(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("many tops, per top and step");
     group.throughput(Throughput::Elements(STEPS * TOPS)).sample_size(10);
-    let in_time = |_: u64| driven_by_friction().start(&Pair(start(), Vector1::new(0.0))).unwrap();
+    let in_time = |_: u64| driven_by_friction().start(&Pair(start(), Time(0.0))).unwrap();
     time_batch(&mut group, "friction", || Laned::new(driven_by_friction()), in_time);
     let on_path = |path: u64| {
-        let clock = Pair(Vector1::new(path as f64), Vector1::new(0.0));
+        let clock = Pair(PathNumber(path as f64), Time(0.0));
         langevin().start(&Pair(start(), clock)).unwrap()
     };
     time_batch(&mut group, "friction and noise", || Laned::new(langevin()), on_path);
-    let moving = |path: u64| Pair(start(), Pair(Vector1::new(path as f64), Vector1::new(0.0)));
+    let moving = |path: u64| Pair(start(), Pair(PathNumber(path as f64), Time(0.0)));
     let name = "friction and noise, without a lift, to 1e-6";
     time_batch(&mut group, name, || Laned::new(reduced(1e-6)), moving);
     group.finish();

@@ -13,10 +13,10 @@
 use collective_integrators::{BrownianPaths, Integrator, Noisy, RungeKutta, Start};
 use heavytop::{Body, HeavyTop, SpinorRealisation};
 use lie_poisson::{
-    Autonomous, Covector, DoubleBracket, InnerProduct, IsotropicNoise, LiePoisson, Pair, Se3,
-    larger,
+    Autonomous, Covector, DoubleBracket, InnerProduct, IsotropicNoise, LiePoisson, Pair,
+    PathNumber, Se3, Time, larger,
 };
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 use std::error::Error;
 use std::time::Instant;
 
@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // |Γ|² = 1 and Π·Γ = 0.3.
     let start = Covector(Pair(Vector3::new(0.5, 0.2, 0.3), Vector3::z()));
-    let clock = Pair(Vector1::new(1.0), Vector1::new(0.0));
+    let clock = Pair(PathNumber(1.0), Time(0.0));
     let mut state = langevin.start(&Pair(start, clock))?;
     let mut workspace = langevin.workspace();
     let (mut sums, mut lost, mut fastest) = ([0.0; 2], [0.0; 2], 0.0);

@@ -151,7 +151,8 @@ pub use orbits::inner_product::{InnerProduct, InnerProductError};
 pub use orbits::input_table::{InputTable, InputTableError};
 pub use orbits::interpolation::{Interpolation, UnknownInterpolation};
 pub use orbits::orbit_field::{Autonomous, OrbitField, TimeDependent};
-pub use orbits::time_axis::{InTime, TimeAxis};
+pub use orbits::path_axis::{PathAxis, PathNumber};
+pub use orbits::time_axis::{InTime, Time, TimeAxis};
 
 pub use generic_scalars;
 pub use nalgebra;

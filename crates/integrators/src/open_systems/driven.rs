@@ -9,8 +9,7 @@ use crate::open_systems::smooth_pieces::{Window, smooth_pieces};
 use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
 use crate::sums::two_sum::add_compensated;
 use crate::vector_field::VectorField;
-use lie_poisson::nalgebra::Vector1;
-use lie_poisson::{OrbitField, Pair, Real, TimeAxis, Vector};
+use lie_poisson::{OrbitField, Pair, Real, Time, TimeAxis, Vector};
 use momentum_map::{Identity, Lift, LiftError, PoissonMap, ProductMap, SourcePoint, TargetPoint};
 
 /// The map (M, id): P × R → 𝔤∗ × R of states (z, t).
@@ -39,21 +38,21 @@ type MapInTime<M> = ProductMap<M, Identity<TimeAxis>>;
 /// turns about the rotating field alone: after π/(1/5) it has gone from one pole to the other (Rabi).
 /// ```
 /// use collective_integrators::{Driven, RungeKutta, Start};
-/// use lie_poisson::{Automatic, Covector, Energy, InTime, LiePoisson, Pair, Point, Real, So3, TimeDependent};
+/// use lie_poisson::{Automatic, Covector, Energy, InTime, LiePoisson, Pair, Point, Real, So3, Time, TimeDependent};
 /// use momentum_map::HOPF;
-/// use nalgebra::{Vector1, Vector3};
+/// use nalgebra::Vector3;
 /// use std::f64::consts::PI;
 /// struct Resonance;
 /// impl Energy for Resonance {
 ///     type Space = InTime<LiePoisson<So3>>;
-///     fn energy<T: Real>(&self, Pair(Covector(pi), t): &Point<Self::Space, T>) -> T {
-///         -pi.z - (pi.x * t.x.cos() + pi.y * t.x.sin()) * 0.2
+///     fn energy<T: Real>(&self, Pair(Covector(pi), Time(t)): &Point<Self::Space, T>) -> T {
+///         -pi.z - (pi.x * t.cos() + pi.y * t.sin()) * 0.2
 ///     }
 /// }
 /// let gauss = Driven::new(RungeKutta::gauss(4)?, HOPF, TimeDependent(Automatic(Resonance)));
-/// let start = Pair(Covector(Vector3::z()), Vector1::new(0.0));
-/// let Pair(Covector(pi), t) = gauss.after(&start, PI / 20.0, 100)?.momentum;
-/// assert!((t.x - 5.0 * PI).abs() < 1e-13);
+/// let start = Pair(Covector(Vector3::z()), Time(0.0));
+/// let Pair(Covector(pi), Time(t)) = gauss.after(&start, PI / 20.0, 100)?.momentum;
+/// assert!((t - 5.0 * PI).abs() < 1e-13);
 /// assert!((pi + Vector3::z()).norm() < 1e-9 && (pi.norm() - 1.0).abs() < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -143,8 +142,8 @@ where
 
     #[cfg_attr(optimised, inline(always))]
     fn at(&self, Pair(z, t): &Self::Point) -> Self::Point {
-        let xi = self.field.element(&self.map.apply::<T>(z), self.window.nearest(t.x));
-        Pair(self.map.generator::<T>(&xi, z), Vector1::new(T::one()))
+        let xi = self.field.element(&self.map.apply::<T>(z), self.window.nearest(t.0));
+        Pair(self.map.generator::<T>(&xi, z), Time(T::one()))
     }
 }
 
@@ -189,7 +188,7 @@ where
             #[cfg_attr(optimised, inline(always))]
             |point| {
                 smooth_pieces(
-                    state.1.x,
+                    state.1.0,
                     step,
                     self.next_break::<T>(),
                     #[cfg_attr(optimised, inline(always))]
@@ -237,7 +236,7 @@ where
         let Pair(begin, _) = state;
         let (mut sum, mut rest) = (Vector::zero(), Vector::zero());
         let iterations =
-            smooth_pieces(begin.1.x, step, self.next_break::<T>(), |window, _, step| {
+            smooth_pieces(begin.1.0, step, self.next_break::<T>(), |window, _, step| {
                 let (from, generator) = (*begin + sum, self.generator(window));
                 let Step { point: Pair(change, lost), iterations } =
                     self.collective.increment_by::<T>(

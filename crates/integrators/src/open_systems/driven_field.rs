@@ -1,8 +1,7 @@
 //! Orbit fields with the time as a coordinate: [`DrivenField`].
 
 use crate::vector_field::VectorField;
-use lie_poisson::nalgebra::Vector1;
-use lie_poisson::{InTime, OrbitField, Pair, Point, PoissonSpace, Real};
+use lie_poisson::{InTime, OrbitField, Pair, Point, PoissonSpace, Real, Time};
 
 /// The vector field dμ/dt = Λ(μ) ξ(μ, t), dt/dt = 1 of an orbit field ξ, with states (μ, t).
 ///
@@ -12,8 +11,8 @@ use lie_poisson::{InTime, OrbitField, Pair, Point, PoissonSpace, Real};
 /// The field ξ = cos t e₃ turns a spin by the angle −sin t:
 /// ```
 /// use collective_integrators::{Direct, DrivenField, RungeKutta, Start};
-/// use lie_poisson::{Covector, LiePoisson, OrbitField, Pair, Real, So3};
-/// use nalgebra::{Vector1, Vector3};
+/// use lie_poisson::{Covector, LiePoisson, OrbitField, Pair, Real, So3, Time};
+/// use nalgebra::Vector3;
 /// struct Turn;
 /// impl<T: Real> OrbitField<LiePoisson<So3>, T> for Turn {
 ///     fn element(&self, _: &Covector<Vector3<T>>, time: T) -> Vector3<T> {
@@ -21,9 +20,9 @@ use lie_poisson::{InTime, OrbitField, Pair, Point, PoissonSpace, Real};
 ///     }
 /// }
 /// let field = DrivenField { space: LiePoisson::minus(So3), field: Turn };
-/// let start = Pair(Covector(Vector3::x()), Vector1::new(0.0));
-/// let Pair(Covector(pi), t) = Direct::new(RungeKutta::gauss(4)?, field).after(&start, 0.1, 20)?.momentum;
-/// let angle = t.x.sin();
+/// let start = Pair(Covector(Vector3::x()), Time(0.0));
+/// let Pair(Covector(pi), Time(t)) = Direct::new(RungeKutta::gauss(4)?, field).after(&start, 0.1, 20)?.momentum;
+/// let angle = t.sin();
 /// assert!((pi - Vector3::new(angle.cos(), -angle.sin(), 0.0)).norm() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -45,7 +44,7 @@ where
 
     #[cfg_attr(optimised, inline(always))]
     fn at(&self, Pair(mu, t): &Self::Point) -> Self::Point {
-        let xi = self.field.element(mu, t.x);
-        Pair(self.space.hamiltonian_vector::<T>(mu, &xi), Vector1::new(T::one()))
+        let xi = self.field.element(mu, t.0);
+        Pair(self.space.hamiltonian_vector::<T>(mu, &xi), Time(T::one()))
     }
 }

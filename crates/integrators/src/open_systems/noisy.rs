@@ -10,15 +10,17 @@ use crate::open_systems::smooth_pieces::Window;
 use crate::open_systems::step_parts::StepParts;
 use crate::schemes::scheme::{Equivariant, Scheme, Step};
 use crate::vector_field::VectorField;
-use lie_poisson::nalgebra::Vector1;
-use lie_poisson::{Differential, InTime, Noise, OrbitField, Pair, Real, TimeAxis, Vector};
+use lie_poisson::{
+    Differential, InTime, Noise, OrbitField, Pair, PathAxis, PathNumber, ProductSpace, Real, Time,
+    TimeAxis, Vector,
+};
 use momentum_map::{Identity, Lift, LiftError, PoissonMap, ProductMap, SourcePoint, TargetPoint};
 
 /// The map (M, id): P × R² → 𝔤∗ × R² of states with the number of the path and the time.
-type MapOfPaths<M> = ProductMap<M, Identity<InTime<TimeAxis>>>;
+type MapOfPaths<M> = ProductMap<M, Identity<InTime<PathAxis>>>;
 
 /// The number of a path, and the time.
-pub type PathAndTime<T> = Pair<Vector1<T>, Vector1<T>>;
+pub type PathAndTime<T> = Pair<PathNumber<T>, Time<T>>;
 
 /// The collective integrator of an [orbit field](OrbitField) ξ with [noise](Noise) σ_k: a scheme for
 ///
@@ -52,9 +54,9 @@ pub type PathAndTime<T> = Pair<Vector1<T>, Vector1<T>>;
 /// exp(−t/8).
 /// ```
 /// use collective_integrators::{BrownianPaths, NoiseRule, Noisy, RungeKutta, Start};
-/// use lie_poisson::{Covector, LiePoisson, Noise, OrbitField, Pair, Real, So3};
+/// use lie_poisson::{Covector, LiePoisson, Noise, OrbitField, Pair, PathNumber, Real, So3, Time};
 /// use momentum_map::HOPF;
-/// use nalgebra::{Vector1, Vector3};
+/// use nalgebra::Vector3;
 /// struct Field(f64);
 /// impl<T: Real> OrbitField<LiePoisson<So3>, T> for Field {
 ///     fn element(&self, _: &Covector<Vector3<T>>, _: T) -> Vector3<T> {
@@ -73,7 +75,7 @@ pub type PathAndTime<T> = Pair<Vector1<T>, Vector1<T>>;
 /// let spin = Noisy::new(RungeKutta::gauss(3)?, HOPF, Field(1.0), Field(0.5), paths);
 /// let mut mean = 0.0;
 /// for path in 0..400 {
-///     let start = Pair(Covector(Vector3::x()), Pair(Vector1::new(path as f64), Vector1::new(0.0)));
+///     let start = Pair(Covector(Vector3::x()), Pair(PathNumber(path as f64), Time(0.0)));
 ///     let Pair(Covector(s), _) = spin.after(&start, 0.1, 20)?.momentum;
 ///     let mut noise = [0.0]; // W(2)
 ///     paths.write_increments(path, 0.0, 20.0, &mut noise);
@@ -99,7 +101,7 @@ impl<S: Equivariant, M: PoissonMap, X, N> Noisy<S, M, X, N> {
         X: OrbitField<M::Target>,
         N: Noise<M::Target>,
     {
-        let map = ProductMap(map, Identity(lie_poisson::ProductSpace(TimeAxis, TimeAxis)));
+        let map = ProductMap(map, Identity(ProductSpace(PathAxis, TimeAxis)));
         let collective = Collective::of_field(scheme, map, field);
         Self { collective, noise, paths, rule: NoiseRule::Together }
     }
@@ -149,7 +151,7 @@ impl<S, M, X, N> Noisy<S, M, X, N> {
         let next_break = |time, forward| field.next_break(time, forward);
         let noise = Some((&self.paths, self.rule, self.noise.count()));
         StepParts { interval: self.paths.interval(), noise }.make(
-            (path.x, clock.x),
+            (path.0, clock.0),
             step,
             next_break,
             part,
@@ -179,7 +181,7 @@ where
     #[cfg_attr(optimised, inline(always))]
     fn at(&self, Pair(z, Pair(_, clock)): &Self::Point) -> Self::Point {
         let NoisePart { drift, weights, .. } = self.part;
-        let time = self.window.nearest(clock.x * self.interval);
+        let time = self.window.nearest(clock.0 * self.interval);
         let mu = self.map.apply::<T>(z);
         let mut xi: Differential<M::Target, T> = Vector::zero();
         if drift != 0.0 {
@@ -188,8 +190,8 @@ where
         if !weights.is_empty() {
             xi += self.noise.element(&mu, time, weights);
         }
-        let rate = Vector1::new(T::from_f64(drift / self.interval));
-        Pair(self.map.generator::<T>(&xi, z), Pair(Vector1::new(T::zero()), rate))
+        let rate = Time(T::from_f64(drift / self.interval));
+        Pair(self.map.generator::<T>(&xi, z), Pair(PathNumber(T::zero()), rate))
     }
 }
 
@@ -253,7 +255,10 @@ where
 
     #[cfg_attr(optimised, inline(always))]
     fn momentum(&self, Pair(z, Pair(path, clock)): &Self::State) -> Self::Momentum {
-        Pair(self.map().apply::<T>(z), Pair(*path, *clock * T::from_f64(self.paths.interval())))
+        Pair(
+            self.map().apply::<T>(z),
+            Pair(*path, clock.scaled(T::from_f64(self.paths.interval()))),
+        )
     }
 }
 
@@ -267,7 +272,7 @@ where
 {
     /// Returns the lift of μ, the number of the path, and the time in intervals.
     fn start(&self, Pair(mu, Pair(path, time)): &Self::Momentum) -> Result<Self::State, LiftError> {
-        let clock = *time / T::from_f64(self.paths.interval());
+        let clock = Time(time.0 / T::from_f64(self.paths.interval()));
         Ok(Pair(self.map().lift::<T>(mu)?, Pair(*path, clock)))
     }
 }

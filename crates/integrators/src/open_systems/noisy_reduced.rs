@@ -10,8 +10,7 @@ use crate::open_systems::paths::brownian_paths::BrownianPaths;
 use crate::open_systems::smooth_pieces::Window;
 use crate::open_systems::step_parts::StepParts;
 use crate::schemes::scheme::Step;
-use lie_poisson::nalgebra::Vector1;
-use lie_poisson::{Differential, Noise, OrbitField, Pair, Point, PoissonSpace, Real, Vector};
+use lie_poisson::{Differential, Noise, OrbitField, Pair, Point, PoissonSpace, Real, Time, Vector};
 use momentum_map::{InvertibleMultipliers, LiftError, Multiplier};
 
 /// The collective midpoint rule of an [orbit field](OrbitField) ξ with [noise](Noise) σ_k, without a lift: the map of
@@ -39,15 +38,15 @@ use momentum_map::{InvertibleMultipliers, LiftError, Multiplier};
 /// The steps are those of [`Noisy`](crate::Noisy):
 /// ```
 /// use collective_integrators::{BrownianPaths, Noisy, NoisyReduced, RungeKutta, Start};
-/// use lie_poisson::{Autonomous, Covector, InnerProduct, IsotropicNoise, LiePoisson, Pair, So3, from_closure};
+/// use lie_poisson::{Autonomous, Covector, InnerProduct, IsotropicNoise, LiePoisson, Pair, PathNumber, So3, Time, from_closure};
 /// use momentum_map::{HOPF, Quaternions};
-/// use nalgebra::{Vector1, Vector3};
+/// use nalgebra::Vector3;
 /// let body = Autonomous(from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.x * pi.x * 0.5 + pi.y * pi.y));
 /// let noise = || IsotropicNoise::thermal(InnerProduct::euclidean(), (0.1, 0.5));
 /// let paths = BrownianPaths::new(1, 0.1)?;
 /// let reduced = NoisyReduced::new(Quaternions, body.clone(), noise()?, paths);
 /// let lifted = Noisy::new(RungeKutta::implicit_midpoint(), HOPF, body, noise()?, paths);
-/// let start = Pair(Covector(Vector3::new(0.6, 0.0, 0.8)), Pair(Vector1::new(7.0), Vector1::new(0.0)));
+/// let start = Pair(Covector(Vector3::new(0.6, 0.0, 0.8)), Pair(PathNumber(7.0), Time(0.0)));
 /// let (one, other) = (reduced.after(&start, 0.1, 100)?.momentum, lifted.after(&start, 0.1, 100)?.momentum);
 /// assert!((one.0 - other.0).0.norm() < 1e-12);
 /// assert!((one.0.0.norm() - 1.0).abs() < 1e-14);
@@ -148,7 +147,7 @@ impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
     {
         let interval = self.paths.interval();
         let elapsed = T::from_f64(drift * step / interval);
-        let time = window.nearest((clock.x + elapsed * 0.5) * interval);
+        let time = window.nearest((clock.0 + elapsed * 0.5) * interval);
         let rate = Rate { field: &self.field, noise: &self.noise, time, weights };
         let mut zeta = [Vector::zero()];
         let sweeps = self.solver.solve(
@@ -164,7 +163,7 @@ impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
         let middle = self.middle::<T>(&zeta, step);
         let whole = middle + (middle - self.multipliers.one::<T>());
         *mu += self.multipliers.coadjoint_change::<T>(&whole, mu);
-        clock.x += elapsed;
+        clock.0 += elapsed;
         Ok(sweeps)
     }
 }
@@ -197,7 +196,7 @@ where
             #[cfg_attr(optimised, inline(always))]
             |state| {
                 parts.make(
-                    (path.x, clock.x),
+                    (path.0, clock.0),
                     step,
                     |time, forward| self.field.next_break(time, forward),
                     #[cfg_attr(optimised, inline(always))]
@@ -212,7 +211,7 @@ where
 
     #[cfg_attr(optimised, inline(always))]
     fn momentum(&self, Pair(mu, Pair(path, clock)): &Self::State) -> Self::Momentum {
-        Pair(*mu, Pair(*path, *clock * T::from_f64(self.paths.interval())))
+        Pair(*mu, Pair(*path, clock.scaled(T::from_f64(self.paths.interval()))))
     }
 }
 
@@ -225,7 +224,7 @@ where
 {
     /// Returns μ, the number of the path, and the time in intervals.
     fn start(&self, Pair(mu, Pair(path, time)): &Self::Momentum) -> Result<Self::State, LiftError> {
-        let clock: Vector1<T> = *time / T::from_f64(self.paths.interval());
+        let clock = Time(time.0 / T::from_f64(self.paths.interval()));
         Ok(Pair(*mu, Pair(*path, clock)))
     }
 }

@@ -8,7 +8,7 @@ use collective_integrators::momentum_map::LiftError;
 use collective_integrators::{
     BrownianPaths, Equivariant, Integrator, PathAndTime, Start, Step, StepError,
 };
-use lie_poisson::{Pair, State};
+use lie_poisson::{Pair, State, Time, Vector};
 
 /// The integrator of an [isospectral equation](IsospectralField) with [noise](IsospectralNoise), in Stratonovich's
 /// sense:
@@ -36,8 +36,7 @@ use lie_poisson::{Pair, State};
 /// ```
 /// use collective_integrators::{BrownianPaths, RungeKutta, Start};
 /// use isospectral_flows::{IsospectralField, LargeSkewHermitian, NoisyIsospectral};
-/// use lie_poisson::{Pair, State};
-/// use nalgebra::Vector1;
+/// use lie_poisson::{Pair, PathNumber, State, Time};
 /// use num_complex::Complex;
 /// struct Still(usize);
 /// impl IsospectralField for Still {
@@ -53,12 +52,12 @@ use lie_poisson::{Pair, State};
 /// let noisy = NoisyIsospectral::new(RungeKutta::gauss(2)?, Still(2), vec![xi], paths);
 /// let w = LargeSkewHermitian::from_upper(2, |_, k| Complex::new(k as f64, 0.0));
 /// let path = 7;
-/// let start = Pair(w, Pair(Vector1::new(path as f64), Vector1::new(0.0)));
+/// let start = Pair(w, Pair(PathNumber(path as f64), Time(0.0)));
 /// let Pair(end, Pair(_, time)) = noisy.after(&start, 0.01, 100)?.momentum;
 /// let mut motion = [0.0]; // W₁(1), the angle by which Ξ has turned the entry
 /// paths.write_increments(path, 0.0, 100.0, &mut motion);
 /// assert!((end.at(0, 1) - Complex::from_polar(1.0, motion[0])).norm() < 1e-6);
-/// assert!((time.x - 1.0).abs() < 1e-12 && (end.norm() - start.0.norm()).abs() < 1e-13);
+/// assert!((time.0 - 1.0).abs() < 1e-12 && (end.norm() - start.0.norm()).abs() < 1e-13);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -161,16 +160,16 @@ impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> Integrator
         StepError::check_start(clock, step)?;
         let Pair(path, time) = clock;
         let NoisyIsospectralWorkspace { stages, noise, weights } = workspace;
-        let end = time.x + step / self.paths.interval();
+        let end = time.0 + step / self.paths.interval();
         noise.set_zero();
         if step != 0.0 {
-            self.paths.write_increments(path.x as u64, time.x, end, weights);
+            self.paths.write_increments(path.0 as u64, time.0, end, weights);
             weights.iter_mut().for_each(|weight| *weight /= step);
             self.noise.add_to(weights, noise);
         }
         let field = WithNoise { field: &self.field, noise };
         let iterations = step_of_multiplier((&self.scheme, &field), w, step, stages)?;
-        time.x = end;
+        time.0 = end;
         Ok(iterations)
     }
 
@@ -178,13 +177,13 @@ impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> Integrator
     fn forget(&self, _: &mut Self::Workspace) {}
 
     fn momentum(&self, Pair(w, Pair(path, clock)): &Self::State) -> Self::Momentum {
-        Pair(w.clone(), Pair(*path, *clock * self.paths.interval()))
+        Pair(w.clone(), Pair(*path, clock.scaled(self.paths.interval())))
     }
 }
 
 impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> Start for NoisyIsospectral<S, F, N> {
     /// Returns W, the number of the path, and the time in intervals.
     fn start(&self, Pair(w, Pair(path, time)): &Self::Momentum) -> Result<Self::State, LiftError> {
-        Ok(Pair(w.clone(), Pair(*path, *time / self.paths.interval())))
+        Ok(Pair(w.clone(), Pair(*path, Time(time.0 / self.paths.interval()))))
     }
 }

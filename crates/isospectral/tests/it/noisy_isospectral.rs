@@ -4,12 +4,11 @@ use crate::examples::{Quadratic, casimirs, distance, generic};
 use isospectral_flows::collective_integrators::{
     BrownianPaths, Integrator, PathAndTime, RungeKutta, Start, StepError, fitted_order,
 };
-use isospectral_flows::lie_poisson::{Pair, State, larger};
+use isospectral_flows::lie_poisson::{Pair, PathNumber, State, Time, larger};
 use isospectral_flows::{
     IsospectralField, IsospectralNoise, IsospectralRungeKutta, LargeSkewHermitian,
     NoisyIsospectral, Products,
 };
-use nalgebra::Vector1;
 
 const SIZE: usize = 3;
 
@@ -26,7 +25,7 @@ fn midpoint(noise: Vec<Large>) -> Midpoint {
 }
 
 fn on_path(w: Large, path: u64) -> Pair<Large, PathAndTime<f64>> {
-    Pair(w, Pair(Vector1::new(path as f64), Vector1::new(0.0)))
+    Pair(w, Pair(PathNumber(path as f64), Time(0.0)))
 }
 
 /// Returns so many generators, which do not commute.
@@ -129,14 +128,14 @@ fn without_noise_it_is_the_method_without_noise() {
     let Pair(noisy, Pair(path, time)) =
         midpoint(Vec::new()).after(&on_path(start, 3), 0.1, 20).unwrap().momentum;
     assert_eq!(noisy, end);
-    assert!(path.x == 3.0 && (time.x - 2.0).abs() < 1e-14);
+    assert!(path.0 == 3.0 && (time.0 - 2.0).abs() < 1e-14);
 }
 
 #[test]
 fn what_cannot_be_integrated_is_refused() {
     let noisy = midpoint(generators(1));
     let refused = |w: Large, path: f64, time: f64, step: f64| {
-        let start = Pair(w, Pair(Vector1::new(path), Vector1::new(time)));
+        let start = Pair(w, Pair(PathNumber(path), Time(time)));
         noisy.step(&start, step, &mut noisy.workspace()).unwrap_err()
     };
     let w = || generic(SIZE, 0.3);

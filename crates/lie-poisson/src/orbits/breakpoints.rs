@@ -25,12 +25,12 @@ pub struct BreakpointError {
 /// A spin in a field along e₁ whose strength is a table:
 /// ```
 /// use lie_poisson::{Automatic, Covector, Energy, InTime, InputTable, Interpolation, LiePoisson, OrbitField, Pair, Point};
-/// use lie_poisson::{Real, So3, TimeDependent, WithBreakpoints};
+/// use lie_poisson::{Real, So3, Time, TimeDependent, WithBreakpoints};
 /// struct Spin(InputTable);
 /// impl Energy for Spin {
 ///     type Space = InTime<LiePoisson<So3>>;
-///     fn energy<T: Real>(&self, Pair(Covector(s), t): &Point<Self::Space, T>) -> T {
-///         -(s.x * self.0.at(t.x))
+///     fn energy<T: Real>(&self, Pair(Covector(s), Time(t)): &Point<Self::Space, T>) -> T {
+///         -(s.x * self.0.at(*t))
 ///     }
 /// }
 /// let table = InputTable::new(vec![0.0, 0.3, 2.0], vec![1.0, -1.0, 0.5], Interpolation::Linear)?;

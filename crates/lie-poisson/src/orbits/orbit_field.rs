@@ -3,9 +3,8 @@
 use crate::brackets::hamiltonian::Hamiltonian;
 use crate::brackets::poisson::PoissonSpace;
 use crate::brackets::product_space::parts;
-use crate::orbits::time_axis::InTime;
+use crate::orbits::time_axis::{InTime, Time};
 use generic_scalars::{Differential, Pair, Point, Real};
-use nalgebra::Vector1;
 
 /// A field ξ: 𝔤∗ × R → 𝔤 over the scalar `T`, with the motion
 ///
@@ -83,14 +82,14 @@ impl<P: PoissonSpace, T: Real, H: Hamiltonian<P, T>> OrbitField<P, T> for Autono
 /// # Example
 /// A spin in a field that oscillates, h = −Π₁ cos t:
 /// ```
-/// use lie_poisson::{Automatic, Energy, InTime, LiePoisson, OrbitField, Pair, Point, Real, So3, TimeDependent};
+/// use lie_poisson::{Automatic, Energy, InTime, LiePoisson, OrbitField, Pair, Point, Real, So3, Time, TimeDependent};
 /// use lie_poisson::Covector;
 /// use nalgebra::Vector3;
 /// struct Oscillating;
 /// impl Energy for Oscillating {
 ///     type Space = InTime<LiePoisson<So3>>;
-///     fn energy<T: Real>(&self, Pair(pi, t): &Point<Self::Space, T>) -> T {
-///         -(pi.0.x * t.x.cos())
+///     fn energy<T: Real>(&self, Pair(pi, Time(t)): &Point<Self::Space, T>) -> T {
+///         -(pi.0.x * t.cos())
 ///     }
 /// }
 /// let xi = TimeDependent(Automatic(Oscillating)).element(&Covector(Vector3::y()), 0.5);
@@ -107,6 +106,6 @@ where
 {
     #[cfg_attr(optimised, inline(always))]
     fn element(&self, mu: &Point<P, T>, time: T) -> Differential<P, T> {
-        parts(&self.0.differential(&Pair(*mu, Vector1::new(time)))).0
+        parts(&self.0.differential(&Pair(*mu, Time(time)))).0
     }
 }

@@ -101,7 +101,7 @@ impl<'a> Event<'a> {
         &'b self,
         integrator: &'b TimedIntegrator<'b>,
     ) -> EventSearch<'b, TimedIntegrator<'b>, impl Fn(&TimedState) -> f64 + use<'a, 'b>> {
-        let function = |Pair(mu, time): &TimedState| (self.function)(mu.as_slice(), time.x);
+        let function = |Pair(mu, time): &TimedState| (self.function)(mu.as_slice(), time.0);
         let search = EventSearch::new(integrator, function, self.direction);
         match self.period {
             Some(period) => search.modulo(period),

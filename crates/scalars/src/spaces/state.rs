@@ -244,7 +244,8 @@ pub trait State: Clone + Debug + PartialEq + Send + Sync + 'static {
         }
     }
 
-    /// Measures the difference v − x, as [`measure`](Self::measure) does.
+    /// Measures the difference v − x, as [`measure`](Self::measure) does. So iterations see what still changes; a coordinate
+    /// that none of them changes, such as a time, may leave its difference out.
     #[cfg_attr(optimised, inline(always))]
     fn measure_difference(&self, x: &Self, largest: &mut Self::Blocks, sum: &mut Self::Scalar) {
         for i in 0..self.dimension() {

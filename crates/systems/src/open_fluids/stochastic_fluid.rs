@@ -36,7 +36,7 @@ use lie_poisson::{Pair, State};
 /// ```
 /// use lie_poisson_systems::num_complex::Complex;
 /// use lie_poisson_systems::prelude::*;
-/// use lie_poisson_systems::nalgebra::Vector1;
+/// use lie_poisson_systems::lie_poisson::{PathNumber, Time};
 /// let fluid = Zeitlin::new(12)?;
 /// let noise = HarmonicNoise::none(&fluid).with_shell([3, 4], 0.05)?;
 /// let paths = BrownianPaths::new(1, 0.02)?; // the seed, and the length of an interval
@@ -44,7 +44,7 @@ use lie_poisson::{Pair, State};
 /// let mut omega = VorticityCoefficients::zeros(12);
 /// omega.set(2, 1, Complex::new(0.5, 0.0));
 /// omega.set(5, 3, Complex::new(0.2, 0.1));
-/// let start = Pair(fluid.vorticity(&omega), Pair(Vector1::new(7.0), Vector1::new(0.0))); // path 7
+/// let start = Pair(fluid.vorticity(&omega), Pair(PathNumber(7.0), Time(0.0))); // path 7
 /// let Pair(end, _) = method.after(&start, 0.02, 50)?.momentum;
 /// for (before, after) in fluid.casimirs(&start.0, 12).iter().zip(fluid.casimirs(&end, 12)) {
 ///     assert!((after - before).abs() < 1e-13);
@@ -170,10 +170,10 @@ impl Integrator for StochasticFluid {
         StepError::check_dimension(&state.0, self.forcing.fluid().laplacian().size().pow(2))?;
         let Pair(path, time) = state.1;
         let whole = step / self.flow.paths().interval();
-        let [from, middle, to] = [0.0, 0.5, 1.0].map(|part| time.x + part * whole);
-        self.force(&mut after.0, 0.5 * step, (path.x, [from, middle]), increments)?;
+        let [from, middle, to] = [0.0, 0.5, 1.0].map(|part| time.0 + part * whole);
+        self.force(&mut after.0, 0.5 * step, (path.0, [from, middle]), increments)?;
         let iterations = self.flow.step_in_place(&mut after, step, flow)?;
-        self.force(&mut after.0, 0.5 * step, (path.x, [middle, to]), increments)?;
+        self.force(&mut after.0, 0.5 * step, (path.0, [middle, to]), increments)?;
         match after.0.is_finite() {
             true => Ok(Step { point: after, iterations }),
             false => Err(StepError::NotFinite),

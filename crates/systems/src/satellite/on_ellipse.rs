@@ -4,10 +4,10 @@ use crate::error::SystemError;
 use crate::satellite::gravity_gradient::{GravityGradient, SatelliteAlgebra, SatelliteDual};
 use crate::satellite::kepler_orbit::KeplerOrbit;
 use lie_poisson::{
-    Covector, Differential, Hamiltonian, InTime, LiePoisson, Pair, Point, Real, from_parts,
+    Covector, Differential, Hamiltonian, InTime, LiePoisson, Pair, Point, Real, Time, from_parts,
     hessian_by_dual_numbers,
 };
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 
 /// The space of (μ, t) with μ in (so(3) ⋉ (R³ ⊕ R³))∗.
 type Space = InTime<LiePoisson<SatelliteAlgebra>>;
@@ -31,15 +31,14 @@ type Space = InTime<LiePoisson<SatelliteAlgebra>>;
 ///
 /// # Example
 /// ```
-/// use lie_poisson_systems::lie_poisson::TimeDependent;
+/// use lie_poisson_systems::lie_poisson::{Time, TimeDependent};
 /// use lie_poisson_systems::collective_integrators::Driven;
-/// use lie_poisson_systems::nalgebra::Vector1;
 /// use lie_poisson_systems::prelude::*;
 /// let orbit = KeplerOrbit::new(1e-3, 0.02, 0.0)?;
 /// let satellite = SatelliteOnEllipse::new(Vector3::new(1.0, 1.1, 0.2), orbit)?;
 /// let start = satellite.momentum([Vector3::z(), Vector3::y()], &Vector3::zeros(), 0.0);
 /// let gauss = Driven::new(RungeKutta::gauss(2)?, TWO_FIELDS, TimeDependent(satellite));
-/// let Pair(end, _) = gauss.after(&Pair(start, Vector1::new(0.0)), 100.0, 60)?.momentum;
+/// let Pair(end, _) = gauss.after(&Pair(start, Time(0.0)), 100.0, 60)?.momentum;
 /// let [radial, angle, normal] = Satellite::casimirs(&end);
 /// assert!((radial - 1.0).abs() < 1e-13 && angle.abs() < 1e-13 && (normal - 1.0).abs() < 1e-13);
 /// // the boom does not stay along the vertical
@@ -82,15 +81,15 @@ impl SatelliteOnEllipse {
 
 impl<T: Real> Hamiltonian<Space, T> for SatelliteOnEllipse {
     fn value(&self, Pair(mu, time): &Point<Space, T>) -> T {
-        let [[rate, _], [tide, _]] = self.orbit.rate_and_tide(time.x);
+        let [[rate, _], [tide, _]] = self.orbit.rate_and_tide(time.0);
         self.body.energy(mu, rate, tide)
     }
 
     fn differential(&self, Pair(mu, time): &Point<Space, T>) -> Differential<Space, T> {
-        let [[rate, rate_change], [tide, tide_change]] = self.orbit.rate_and_tide(time.x);
+        let [[rate, rate_change], [tide, tide_change]] = self.orbit.rate_and_tide(time.0);
         let change = self.body.potential(mu, rate_change, tide_change);
         let element = self.body.differential(mu, rate, tide);
-        from_parts::<SatelliteDual<T>, Vector1<T>>(&element, &Covector(Vector1::new(change)))
+        from_parts::<SatelliteDual<T>, Time<T>>(&element, &Covector(Time(change)))
     }
 
     fn hessian(&self, z: &Point<Space, T>, v: &Point<Space, T>) -> Option<Differential<Space, T>> {

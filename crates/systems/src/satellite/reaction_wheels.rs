@@ -4,9 +4,9 @@ use crate::error::{SystemError, require_finite};
 use crate::gyrostat::principal_moments::PrincipalMoments;
 use lie_poisson::{
     Covector, Differential, DualNumber, Hamiltonian, InTime, LiePoisson, Pair, Point, Real, So3,
-    from_parts, hessian_by_dual_numbers,
+    Time, from_parts, hessian_by_dual_numbers,
 };
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 
 /// The space of (Π, t) with Π in so(3)∗.
 type Space = InTime<LiePoisson<So3>>;
@@ -39,9 +39,8 @@ pub trait WheelMomenta<const N: usize> {
 /// # Example
 /// A wheel is spun up until it has all of the angular momentum: the body comes to rest.
 /// ```
-/// use lie_poisson_systems::lie_poisson::{Real, TimeDependent};
+/// use lie_poisson_systems::lie_poisson::{Real, Time, TimeDependent};
 /// use lie_poisson_systems::collective_integrators::Driven;
-/// use lie_poisson_systems::nalgebra::Vector1;
 /// use lie_poisson_systems::prelude::*;
 /// struct SpinUp;
 /// impl WheelMomenta<1> for SpinUp {
@@ -50,7 +49,7 @@ pub trait WheelMomenta<const N: usize> {
 ///     }
 /// }
 /// let wheels = ReactionWheels::new(Vector3::new(3.0, 2.0, 1.0), [Vector3::x()], SpinUp)?;
-/// let start = Pair(Covector(Vector3::new(2.0, 0.0, 0.0)), Vector1::new(0.0));
+/// let start = Pair(Covector(Vector3::new(2.0, 0.0, 0.0)), Time(0.0));
 /// assert_eq!(wheels.angular_velocity(&start).x, 2.0 / 3.0);
 /// let gauss = Driven::new(RungeKutta::gauss(2)?, HOPF, TimeDependent(&wheels));
 /// let end = gauss.after(&start, 0.1, 200)?.momentum;
@@ -93,7 +92,7 @@ impl<W: WheelMomenta<N>, const N: usize> ReactionWheels<W, N> {
         &self,
         Pair(Covector(pi), time): &Point<Space, T>,
     ) -> Vector3<T> {
-        self.moments.angular_velocity(&(pi - self.momentum(time.x)))
+        self.moments.angular_velocity(&(pi - self.momentum(time.0)))
     }
 
     /// Returns l(t), the sum of the angular momenta of the wheels about their axes, kg m²/s.
@@ -106,16 +105,16 @@ impl<W: WheelMomenta<N>, const N: usize> ReactionWheels<W, N> {
 
 impl<W: WheelMomenta<N>, T: Real, const N: usize> Hamiltonian<Space, T> for ReactionWheels<W, N> {
     fn value(&self, Pair(Covector(pi), time): &Point<Space, T>) -> T {
-        let relative = pi - self.momentum(time.x);
+        let relative = pi - self.momentum(time.0);
         relative.dot(&self.moments.angular_velocity(&relative)) * 0.5
     }
 
     /// Returns (Ω, −Ω·u) with the torques u = dl/dt.
     fn differential(&self, z: &Point<Space, T>) -> Differential<Space, T> {
         let omega = self.angular_velocity(z);
-        let torque = self.momentum(DualNumber::variable(z.1.x)).map(|l| l.derivative());
-        let change = Covector(Vector1::new(-omega.dot(&torque)));
-        from_parts::<Covector<Vector3<T>>, Vector1<T>>(&omega, &change)
+        let torque = self.momentum(DualNumber::variable(z.1.0)).map(|l| l.derivative());
+        let change = Covector(Time(-omega.dot(&torque)));
+        from_parts::<Covector<Vector3<T>>, Time<T>>(&omega, &change)
     }
 
     fn hessian(&self, z: &Point<Space, T>, v: &Point<Space, T>) -> Option<Differential<Space, T>> {

@@ -5,9 +5,9 @@ use crate::spins_at_temperature::site_rotation::{SiteConstants, SpinDamping, tur
 use collective_integrators::{
     BrownianPaths, Integrator, PathAndTime, StageSolver, Start, Step, StepError,
 };
-use lie_poisson::{Covector, Pair, Sites, SitesHamiltonian, State, larger};
+use lie_poisson::{Covector, Pair, Sites, SitesHamiltonian, State, Time, Vector, larger};
 use momentum_map::LiftError;
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 
 /// Classical spins at a temperature, whose number is known only when the program runs: the stochastic midpoint rule for
 ///
@@ -37,14 +37,14 @@ use nalgebra::{Vector1, Vector3};
 /// A ring of four hundred spins, whose energy per bond is −J (coth K − 1/K) with K = J/kT:
 /// ```
 /// use collective_integrators::{BrownianPaths, Integrator, Start};
-/// use lie_poisson::{Covector, Pair, SitesHamiltonian};
+/// use lie_poisson::{Covector, Pair, PathNumber, SitesHamiltonian, Time};
 /// use lie_poisson_systems::{HeisenbergLattice, LangevinSpins, SpinDamping};
-/// use nalgebra::{Vector1, Vector3};
+/// use nalgebra::Vector3;
 /// let ring = HeisenbergLattice::new([400, 1, 1])?.with_exchange([1, 0, 0], 1.0)?;
 /// let spins = ring.state(|_| Vector3::z());
 /// let paths = BrownianPaths::new(1, 0.05)?;
 /// let langevin = LangevinSpins::new(ring.clone(), SpinDamping::LandauLifshitz(1.0), 1.0, paths)?;
-/// let start = Pair(spins, Pair(Vector1::new(0.0), Vector1::new(0.0)));
+/// let start = Pair(spins, Pair(PathNumber(0.0), Time(0.0)));
 /// let Pair(spins, _) = langevin.after(&start, 0.05, 200)?.momentum;
 /// let energy: f64 = ring.value(&spins) / 400.0;
 /// assert!((energy + 1.0_f64.tanh().recip() - 1.0).abs() < 0.13); // four standard errors
@@ -111,8 +111,8 @@ impl<H: SitesHamiltonian<Vector3<f64>>> LangevinSpins<H> {
         }
         // At the temperature 0 there is no noise: the increments stay 0.
         if self.temperature > 0.0 {
-            let until = clock.x + step / self.paths.interval();
-            self.paths.write_increments(path.x as u64, clock.x, until, &mut space.increments);
+            let until = clock.0 + step / self.paths.interval();
+            self.paths.write_increments(path.0 as u64, clock.0, until, &mut space.increments);
         }
         let noise = space.increments.as_chunks::<3>().0;
         for ((site, spin), noise) in space.sites.iter_mut().zip(spins.iter()).zip(noise) {
@@ -203,7 +203,7 @@ impl<H: SitesHamiltonian<Vector3<f64>>> Integrator for LangevinSpins<H> {
         for (spin, middle) in spins.iter_mut().zip(space.middles.0.iter()) {
             *spin = middle * 2.0 - *spin;
         }
-        clock.x += step / self.paths.interval();
+        clock.0 += step / self.paths.interval();
         Ok(iterations)
     }
 
@@ -211,14 +211,14 @@ impl<H: SitesHamiltonian<Vector3<f64>>> Integrator for LangevinSpins<H> {
     fn forget(&self, _: &mut LangevinWorkspace) {}
 
     fn momentum(&self, Pair(spins, Pair(path, clock)): &SpinsOnPath) -> SpinsOnPath {
-        Pair(spins.clone(), Pair(*path, *clock * self.paths.interval()))
+        Pair(spins.clone(), Pair(*path, clock.scaled(self.paths.interval())))
     }
 }
 
 impl<H: SitesHamiltonian<Vector3<f64>>> Start for LangevinSpins<H> {
     /// Returns the spins, the number of the path, and the time in intervals.
     fn start(&self, Pair(spins, Pair(path, time)): &SpinsOnPath) -> Result<SpinsOnPath, LiftError> {
-        let clock = Vector1::new(time.x / self.paths.interval());
+        let clock = Time(time.0 / self.paths.interval());
         Ok(Pair(spins.clone(), Pair(*path, clock)))
     }
 }

@@ -3,9 +3,11 @@
 use super::support::{Texts, after, distance, method, open};
 use collective_integrators::diagnostics::SystemScales;
 use collective_integrators::{AnyState, Driven, Integrator, RungeKutta, Start, fitted_order};
-use lie_poisson::{Covector, InputTable, Interpolation, LiePoisson, OrbitField, Pair, Real, So3};
+use lie_poisson::{
+    Covector, InputTable, Interpolation, LiePoisson, OrbitField, Pair, Real, So3, Time,
+};
 use momentum_map::HOPF;
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 
 /// dh for h = (Π₁² + Π₂²/2)/2 + sin(3t) Π₃ Π₁.
 struct Shaken;
@@ -24,7 +26,7 @@ fn a_formula_with_time_is_the_typed_field() {
     let start = [0.6, -0.5, 1.2];
     let system = open("so(3)", SHAKEN, &Texts::default(), 0.1).unwrap();
     let typed = Driven::new(RungeKutta::gauss(2).unwrap(), HOPF, Shaken);
-    let from = Pair(Covector(Vector3::from(start)), Vector1::new(0.0));
+    let from = Pair(Covector(Vector3::from(start)), Time(0.0));
     let Pair(Covector(expected), _) = typed.after(&from, 0.1, 200).unwrap().momentum;
     let found = after(&system, ("collective", "gauss-4"), &start, 0.1, 200);
     // 200 steps of some roundings each.

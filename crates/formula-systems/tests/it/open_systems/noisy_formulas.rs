@@ -5,11 +5,11 @@ use collective_integrators::{
     AnyState, BrownianPaths, Integrator, NoiseRule, Noisy, RungeKutta, Start,
 };
 use lie_poisson::{
-    Autonomous, Covector, DoubleBracket, InnerProduct, IsotropicNoise, LiePoisson, Pair, So3,
-    from_closure,
+    Autonomous, Covector, DoubleBracket, InnerProduct, IsotropicNoise, LiePoisson, Pair,
+    PathNumber, So3, Time, from_closure,
 };
 use momentum_map::HOPF;
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 
 const BODY: &str = "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2";
 
@@ -29,10 +29,8 @@ fn noise_of_a_temperature_is_the_typed_one_on_every_path() {
         let typed =
             Noisy::new(RungeKutta::gauss(2).unwrap(), HOPF, field, noise, paths).with_rule(rule);
         for path in [0_u32, 7] {
-            let from = Pair(
-                Covector(Vector3::from(start)),
-                Pair(Vector1::new(f64::from(path)), Vector1::new(0.0)),
-            );
+            let from =
+                Pair(Covector(Vector3::from(start)), Pair(PathNumber(f64::from(path)), Time(0.0)));
             let Pair(Covector(expected), _) = typed.after(&from, 0.05, 100).unwrap().momentum;
             let moved = system.clone().on_path(path.into());
             let found = after(&moved, ("collective", "gauss-4"), &start, 0.05, 100);

@@ -5,11 +5,11 @@ use collective_integrators::{
 };
 use heavytop::{Body, HeavyTop, SpinorRealisation};
 use lie_poisson::{
-    Autonomous, Covector, DoubleBracket, InnerProduct, IsotropicNoise, LiePoisson, Pair, Se3,
-    Vector,
+    Autonomous, Covector, DoubleBracket, InnerProduct, IsotropicNoise, LiePoisson, Pair,
+    PathNumber, Se3, Time, Vector,
 };
 use momentum_map::DualQuaternions;
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 
 const FRICTION: f64 = 0.7;
 const TEMPERATURE: f64 = 0.8;
@@ -31,7 +31,7 @@ fn means(steps: u64) -> ([(f64, f64); 4], [f64; 2]) {
     let langevin = Noisy::new(scheme, SpinorRealisation, field, noise, paths);
     // f₁ = |Γ|² = 1, f₂ = Π·Γ = 0.3
     let start = Covector(Pair(Vector3::new(0.5, 0.2, 0.3), Vector3::new(0.0, 0.0, 1.0)));
-    let clock = Pair(Vector1::new(1.0), Vector1::new(0.0));
+    let clock = Pair(PathNumber(1.0), Time(0.0));
     let mut state = langevin.start(&Pair(start, clock)).unwrap();
     let (mut workspace, mut blocks, mut lost) = (langevin.workspace(), Vec::new(), [0.0_f64; 2]);
     let length = steps / (BLOCKS + 10);
@@ -74,7 +74,7 @@ fn a_step_without_a_lift_is_that_of_the_lift() {
     let reduced = NoisyReduced::new(DualQuaternions, field(), noise(), paths);
     let at = |gamma: Vector3<f64>, path: f64| {
         let momentum = Covector(Pair(Vector3::new(0.5, 0.2, 0.3), gamma));
-        Pair(momentum, Pair(Vector1::new(path), Vector1::new(0.0)))
+        Pair(momentum, Pair(PathNumber(path), Time(0.0)))
     };
     let end = |path: f64| reduced.after(&at(Vector3::z(), path), STEP, 200).unwrap().momentum.0;
     let expected = lifted.after(&at(Vector3::z(), 4.0), STEP, 200).unwrap().momentum.0;

@@ -3,10 +3,10 @@
 use collective_integrators::{Driven, RungeKutta, Start};
 use lie_poisson::{
     Autonomous, Covector, DoubleBracket, Hamiltonian, InnerProduct, LiePoisson, Pair, Se3, So3,
-    from_closure,
+    Time, from_closure,
 };
 use momentum_map::{HOPF, PARTICLE};
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 use proptest::prelude::*;
 
 proptest! {
@@ -28,7 +28,7 @@ proptest! {
             DoubleBracket::new(space, Autonomous(h), friction / unit, inner_product).unwrap();
         let pi = Vector3::new(angle.sin(), 0.0, angle.cos()) * unit;
         let gauss = Driven::new(RungeKutta::gauss(5).unwrap(), HOPF, damped);
-        let start = Pair(Covector(pi), Vector1::new(0.0));
+        let start = Pair(Covector(pi), Time(0.0));
         let end = gauss.after(&start, 0.05, 80).unwrap().momentum.0.0 / unit;
         let angle = 2.0 * ((angle / 2.0).tan() * (-friction * field * 4.0).exp()).atan();
         let turned = field * 4.0;
@@ -80,7 +80,7 @@ proptest! {
         let gamma = Vector3::new(0.6, 0.48, 0.64);
         // The realisation is that of Π·Γ = 0.
         let pi = Vector3::from(pi).cross(&gamma);
-        let start = Pair(Covector(Pair(pi, gamma)), Vector1::new(0.0));
+        let start = Pair(Covector(Pair(pi, gamma)), Time(0.0));
         let samples: Vec<_> = gauss.trajectory(&start, 0.01).unwrap().take(301)
             .map(|sample| sample.unwrap().momentum.0).collect();
         for three in samples.windows(3).step_by(40) {

@@ -3,10 +3,10 @@
 use collective_integrators::{Direct, Driven, DrivenField, Integrator, RungeKutta, Start};
 use lie_poisson::{
     Casimirs, Covector, LiePoisson, Momentum, OrbitField, Pair, Power, PowerAlgebra, Real, Se3,
-    So3, UnitaryAlgebra, Vector,
+    So3, Time, UnitaryAlgebra, Vector,
 };
 use momentum_map::{HOPF, Lift, PARTICLE, PoissonMap, PowerMap, unitary_realisation};
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 use num_complex::Complex;
 
 /// A field whose coordinates are sines of the momentum times those of the time, none of them a gradient. It is as smooth for
@@ -44,7 +44,7 @@ where
     let first = values(start);
     let driven = Driven::new(RungeKutta::gauss(3).unwrap(), map, Sines).compensated();
     let (mut largest, mut size) = (0.0_f64, 1.0_f64);
-    let run = driven.trajectory(&Pair(*start, Vector1::new(time)), 0.2).unwrap();
+    let run = driven.trajectory(&Pair(*start, Time(time)), 0.2).unwrap();
     for sample in run.take(steps + 1).step_by(97) {
         let mu = sample.unwrap().momentum.0;
         size = size.max(Vector::max_abs(&mu));
@@ -80,7 +80,7 @@ fn fields_of_any_kind_keep_the_casimirs() {
     assert!(found.iter().all(|deviation| *deviation < 1e-12), "{found:?}");
     // Control: RK4 on the equations themselves does not.
     let field = DrivenField { space: LiePoisson::minus(So3), field: Sines };
-    let start = Pair(Covector(Vector3::new(0.6, 0.0, 0.8)), Vector1::new(0.0));
+    let start = Pair(Covector(Vector3::new(0.6, 0.0, 0.8)), Time(0.0));
     let last = Direct::new(RungeKutta::rk4(), field).after(&start, 0.2, 1500).unwrap();
     assert!((last.momentum.0.0.norm() - 1.0).abs() > 1e-6);
 }
@@ -112,7 +112,7 @@ fn steps_do_not_depend_on_the_lift() {
     other.q += z.p.0 * 1.7;
     assert!(Vector::max_abs(&(PARTICLE.apply(&other) - PARTICLE.apply(&z))) < 1e-15);
     let ends = [z, other].map(|z| {
-        let run = driven.trajectory_from(Pair(z, Vector1::new(0.0)), 0.2);
+        let run = driven.trajectory_from(Pair(z, Time(0.0)), 0.2);
         run.take(101).last().unwrap().unwrap().momentum.0
     });
     let difference = Vector::max_abs(&(ends[0] - ends[1]));

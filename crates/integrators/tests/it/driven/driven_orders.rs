@@ -5,10 +5,10 @@ use collective_integrators::{
     Composition, Direct, Driven, DrivenField, Integrator, RungeKutta, Start, Substeps,
 };
 use lie_poisson::{
-    Automatic, Covector, Energy, InTime, LiePoisson, Pair, Point, Real, So3, TimeDependent,
+    Automatic, Covector, Energy, InTime, LiePoisson, Pair, Point, Real, So3, Time, TimeDependent,
 };
 use momentum_map::HOPF;
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 
 /// A spin in the static field e₃ and a field that rotates at the rate ω: h = −Π₃ − b (Π₁ cos ωt + Π₂ sin ωt).
 #[derive(Clone, Copy)]
@@ -20,8 +20,8 @@ struct Rotating {
 impl Energy for Rotating {
     type Space = InTime<LiePoisson<So3>>;
 
-    fn energy<T: Real>(&self, Pair(Covector(pi), t): &Point<Self::Space, T>) -> T {
-        let angle = t.x * self.rate;
+    fn energy<T: Real>(&self, Pair(Covector(pi), Time(t)): &Point<Self::Space, T>) -> T {
+        let angle = *t * self.rate;
         -pi.z - (pi.x * angle.cos() + pi.y * angle.sin()) * self.strength
     }
 }
@@ -44,12 +44,12 @@ fn start() -> Vector3<f64> {
 /// Returns the errors at a time with several numbers of steps.
 fn errors<I>(integrator: &I, end: f64, counts: &[u64]) -> Vec<(f64, f64)>
 where
-    I: Start<Momentum = Pair<Covector<Vector3<f64>>, Vector1<f64>>>,
+    I: Start<Momentum = Pair<Covector<Vector3<f64>>, Time>>,
 {
     let errors = counts.iter().map(|&count| {
-        let (start, step) = (Pair(Covector(start()), Vector1::new(0.0)), end / count as f64);
-        let Pair(Covector(pi), t) = integrator.after(&start, step, count).unwrap().momentum;
-        assert!((t.x - end).abs() < 1e-13);
+        let (start, step) = (Pair(Covector(start()), Time(0.0)), end / count as f64);
+        let Pair(Covector(pi), Time(t)) = integrator.after(&start, step, count).unwrap().momentum;
+        assert!((t - end).abs() < 1e-13);
         (step, (pi - FIELD.exact(&self::start(), end)).norm())
     });
     errors.collect()
@@ -96,15 +96,15 @@ fn compositions_and_direct_methods_see_the_time_of_each_stage() {
 fn the_time_at_which_a_run_begins_is_that_of_the_field() {
     let gauss = || RungeKutta::gauss(4).unwrap();
     let driven = Driven::new(gauss(), HOPF, TimeDependent(Automatic(FIELD)));
-    let first = driven.after(&Pair(Covector(start()), Vector1::new(0.0)), 0.05, 40).unwrap();
+    let first = driven.after(&Pair(Covector(start()), Time(0.0)), 0.05, 40).unwrap();
     let second = driven.after(&first.momentum, 0.05, 40).unwrap().momentum;
     assert!((second.0.0 - FIELD.exact(&start(), 4.0)).norm() < 1e-11);
-    let anew = Pair(first.momentum.0, Vector1::new(0.0));
+    let anew = Pair(first.momentum.0, Time(0.0));
     let wrong = driven.after(&anew, 0.05, 40).unwrap().momentum;
     assert!((second.0.0 - wrong.0.0).norm() > 0.1);
     // Summed with compensation, a long time keeps its digits.
     let compensated = driven.compensated();
-    let run = compensated.trajectory(&Pair(Covector(start()), Vector1::new(0.0)), 0.1).unwrap();
+    let run = compensated.trajectory(&Pair(Covector(start()), Time(0.0)), 0.1).unwrap();
     let last = run.take(5001).last().unwrap().unwrap();
     let exact = FIELD.exact(&start(), 500.0);
     assert!((compensated.momentum(&last.state).0.0 - exact).norm() < 1e-9);

@@ -2,9 +2,11 @@
 
 use collective_integrators::diagnostics::fitted_order;
 use collective_integrators::{Driven, RungeKutta, Start};
-use lie_poisson::{Covector, InputTable, Interpolation, LiePoisson, OrbitField, Pair, Real, So3};
+use lie_poisson::{
+    Covector, InputTable, Interpolation, LiePoisson, OrbitField, Pair, Real, So3, Time,
+};
 use momentum_map::HOPF;
-use nalgebra::{Rotation3, Vector1, Vector3};
+use nalgebra::{Rotation3, Vector3};
 
 /// The field e₃ and an input along e₁.
 #[derive(Clone)]
@@ -35,7 +37,7 @@ fn start() -> Covector<Vector3<f64>> {
 
 fn end(scheme: &RungeKutta, field: &Pulsed, count: u64) -> Vector3<f64> {
     let driven = Driven::new(scheme.clone(), HOPF, field.clone());
-    let (begin, step) = (Pair(start(), Vector1::new(0.0)), 2.0 / count as f64);
+    let (begin, step) = (Pair(start(), Time(0.0)), 2.0 / count as f64);
     driven.after(&begin, step, count).unwrap().momentum.0.0
 }
 
@@ -84,7 +86,7 @@ fn the_order_is_kept_along_linear_and_cubic_inputs() {
 #[test]
 fn a_run_past_the_end_of_a_table_fails() {
     let driven = Driven::new(RungeKutta::gauss(2).unwrap(), HOPF, pulses(Interpolation::Linear));
-    let begin = Pair(start(), Vector1::new(0.0));
+    let begin = Pair(start(), Time(0.0));
     assert!(driven.after(&begin, 0.1, 20).is_ok());
     assert!(driven.after(&begin, 0.1, 21).is_err());
     // Backward in time from the end to the beginning

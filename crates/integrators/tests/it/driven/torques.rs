@@ -7,9 +7,10 @@ use collective_integrators::{
 };
 use lie_poisson::{
     Automatic, Autonomous, Covector, Energy, LiePoisson, Momentum, Pair, Point, Real, Se3, So3,
+    Time,
 };
 use momentum_map::{HOPF, PARTICLE, Quaternions};
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 
 type Spin = Covector<Vector3<f64>>;
 
@@ -108,10 +109,10 @@ fn compositions_of_the_flows_have_orders_two_four_and_six() {
 /// A torque along e₃ that oscillates, for momenta with the time. It is frozen while it acts.
 struct Oscillating;
 
-impl TorqueFlow<Pair<Spin, Vector1<f64>>> for Oscillating {
-    fn flow(&self, mu: &mut Pair<Spin, Vector1<f64>>, step: f64) -> Result<(), StepError> {
-        let Pair(Covector(pi), time) = mu;
-        pi.z += (3.0 * time.x).cos() * step;
+impl TorqueFlow<Pair<Spin, Time>> for Oscillating {
+    fn flow(&self, mu: &mut Pair<Spin, Time>, step: f64) -> Result<(), StepError> {
+        let Pair(Covector(pi), Time(time)) = mu;
+        pi.z += (3.0 * *time).cos() * step;
         Ok(())
     }
 }
@@ -137,7 +138,7 @@ fn a_torque_that_depends_on_time_keeps_the_orders() {
     let orbits =
         || Driven::new(RungeKutta::implicit_midpoint(), HOPF, Autonomous(Automatic(Symmetric)));
     let errors = |substeps: Option<Substeps>, counts: [u64; 3]| -> Vec<(f64, f64)> {
-        let begin = Pair(start(), Vector1::new(0.0));
+        let begin = Pair(start(), Time(0.0));
         let errors = counts.map(|count| {
             let (motor, step) = (Torqued::new(orbits(), Oscillating), end / count as f64);
             let found = match &substeps {

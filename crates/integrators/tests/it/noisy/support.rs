@@ -3,10 +3,10 @@
 use collective_integrators::{BrownianPaths, Noisy, RungeKutta, Start};
 use lie_poisson::{
     Autonomous, Covector, DoubleBracket, Energy, Hamiltonian, InnerProduct, IsotropicNoise,
-    LiePoisson, OrbitField, Pair, Point, PoissonSpace, Real, So3,
+    LiePoisson, OrbitField, Pair, PathNumber, Point, PoissonSpace, Real, So3, Time,
 };
 use momentum_map::Lift;
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 use std::thread;
 
 /// The field ξ = e₃ times a rate.
@@ -24,11 +24,11 @@ pub fn isotropic(strength: f64) -> IsotropicNoise {
 }
 
 /// A momentum, the number of its path, and the time.
-pub type OnPath<P> = Pair<P, Pair<Vector1<f64>, Vector1<f64>>>;
+pub type OnPath<P> = Pair<P, Pair<PathNumber, Time>>;
 
 /// Returns a momentum on a path, at time 0.
 pub fn on_path<P>(mu: P, path: u64) -> OnPath<P> {
-    Pair(mu, Pair(Vector1::new(path as f64), Vector1::new(0.0)))
+    Pair(mu, Pair(PathNumber(path as f64), Time(0.0)))
 }
 
 /// Langevin's dynamics of a Hamiltonian at a temperature.

@@ -32,8 +32,8 @@ struct Oscillating<A>(f64, PhantomData<A>);
 
 impl<A: LieAlgebra> Energy for Oscillating<A> {
     type Space = InTime<LiePoisson<A>>;
-    fn energy<T: Real>(&self, Pair(mu, t): &Point<Self::Space, T>) -> T {
-        ((t.x / self.0).sin() + 2.0) * quadratic(mu)
+    fn energy<T: Real>(&self, Pair(mu, Time(t)): &Point<Self::Space, T>) -> T {
+        ((*t / self.0).sin() + 2.0) * quadratic(mu)
     }
 }
 

@@ -1,9 +1,8 @@
 //! Runs along one path of a noise: [`OnPath`].
 
 use collective_integrators::{AnyIntegrator, Integrator, PathAndTime, Start, Step, StepError};
-use lie_poisson::{Pair, State};
+use lie_poisson::{Pair, PathNumber, State, Time};
 use momentum_map::LiftError;
-use nalgebra::Vector1;
 
 /// An integrator of states with the number of their path and the time, whose momenta are without these two. Runs start
 /// on the path of a number, at the time 0.
@@ -27,7 +26,7 @@ where
 
 impl<I> OnPath<I> {
     fn on_path<M: Clone>(&self, momentum: &M) -> Pair<M, PathAndTime<f64>> {
-        Pair(momentum.clone(), Pair(Vector1::new(self.path as f64), Vector1::new(0.0)))
+        Pair(momentum.clone(), Pair(PathNumber(self.path as f64), Time(0.0)))
     }
 }
 

@@ -107,7 +107,7 @@ impl EventFunctions {
         let value = |Pair(mu, time): &TimedState| {
             let mut x = mu.as_slice().to_vec();
             run.model.present(&mut x);
-            run.model.append_inputs(time.x, &mut x);
+            run.model.append_inputs(time.0, &mut x);
             function.value_at(x.get(..function.dimension()).unwrap_or(&x))
         };
         let search = EventSearch::new(integrator, value, self.direction);

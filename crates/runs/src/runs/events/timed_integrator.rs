@@ -3,8 +3,7 @@
 use collective_integrators::{
     AnyIntegrator, AnyState, Integrator, Sample, SampleOf, Step, StepError,
 };
-use lie_poisson::Pair;
-use nalgebra::Vector1;
+use lie_poisson::{Pair, Time};
 
 /// An integrator whose momenta have the time beside them, so that events may be zeros of functions of both.
 ///
@@ -24,7 +23,7 @@ use nalgebra::Vector1;
 /// let decay = Direct::new(RungeKutta::rk4(), from_fn(|z: &Vector1<f64>| -z));
 /// let decay = AnyIntegrator::new(decay, 1);
 /// let timed = TimedIntegrator::new(&decay);
-/// let mut search = EventSearch::new(&timed, |Pair(_, t): &TimedState| t.x.cos(), Direction::Both);
+/// let mut search = EventSearch::new(&timed, |Pair(_, t): &TimedState| t.0.cos(), Direction::Both);
 /// let mut times = Vec::new();
 /// for sample in decay.trajectory(&AnyState::from_slice(&[1.0]), 0.1)?.take(101) {
 ///     let events = search.observe(&TimedIntegrator::sample(&sample?))?;
@@ -38,7 +37,7 @@ use nalgebra::Vector1;
 pub struct TimedIntegrator<'a>(&'a AnyIntegrator);
 
 /// A state or a momentum, and the time, s.
-pub type TimedState = Pair<AnyState, Vector1<f64>>;
+pub type TimedState = Pair<AnyState, Time>;
 
 impl<'a> TimedIntegrator<'a> {
     /// Creates the integrator that makes the steps of another one.
@@ -51,7 +50,7 @@ impl<'a> TimedIntegrator<'a> {
     #[must_use]
     pub fn sample(sample: &SampleOf<AnyIntegrator>) -> SampleOf<Self> {
         let Sample { step, time, ref state, ref momentum, iterations } = *sample;
-        let timed = |state: &AnyState| Pair(state.clone(), Vector1::new(time));
+        let timed = |state: &AnyState| Pair(state.clone(), Time(time));
         Sample { step, time, state: timed(state), momentum: timed(momentum), iterations }
     }
 
@@ -80,7 +79,7 @@ impl Integrator for TimedIntegrator<'_> {
         workspace: &mut Self::Workspace,
     ) -> Result<Step<TimedState>, StepError> {
         let Step { point, iterations } = self.0.step(state, step, workspace)?;
-        Ok(Step { point: Pair(point, Vector1::new(time.x + step)), iterations })
+        Ok(Step { point: Pair(point, Time(time.0 + step)), iterations })
     }
 
     fn forget(&self, workspace: &mut Self::Workspace) {

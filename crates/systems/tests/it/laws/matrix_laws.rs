@@ -4,14 +4,13 @@ use super::field_laws::generator;
 use super::suites_with_controls::{holds, obeys};
 use crate::law_samples::{ENERGY_OF_ORDER_TWO, ROUND_OFF, ROUND_OFF_OF_RUNS, SHORT_STEP};
 use core::f64::consts::PI;
-use lie_poisson::{Pair, State};
+use lie_poisson::{Pair, PathNumber, State, Time};
 use lie_poisson_systems::collective_integrators::{
     AnyState, BrownianPaths, Direct, PathAndTime, RungeKutta, laws,
 };
 use lie_poisson_systems::isospectral_flows::{
     IsospectralField, IsospectralRungeKutta, LargeSkewHermitian,
 };
-use lie_poisson_systems::nalgebra::Vector1;
 use lie_poisson_systems::num_complex::Complex;
 use lie_poisson_systems::{
     GeneralisedRigidBody, HarmonicNoise, StochasticFluid, ViscousForcing, Zeitlin,
@@ -132,7 +131,7 @@ fn stochastic_fluid_laws() {
         let paths = BrownianPaths::new(3, SHORT_STEP).unwrap();
         let noise = HarmonicNoise::none(&fluid).with_shell([1, size - 1], 0.1).unwrap();
         let none = ViscousForcing::new(fluid.clone());
-        let states = [Pair(generic(size), Pair(Vector1::new(4.0), Vector1::new(2.0)))];
+        let states = [Pair(generic(size), Pair(PathNumber(4.0), Time(2.0)))];
         if size == 3 {
             let viscous = none.clone().with_viscosity(0.1, 1).unwrap();
             let all = StochasticFluid::new(viscous, paths).with_transport(noise.clone()).unwrap();

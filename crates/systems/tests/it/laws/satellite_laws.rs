@@ -5,11 +5,11 @@ use crate::law_samples::{ENERGY_OF_ORDER_FOUR, ROUND_OFF, ROUND_OFF_OF_RUNS, STE
 use lie_poisson_systems::collective_integrators::{Collective, Driven, RungeKutta, Start, laws};
 use lie_poisson_systems::lie_poisson::laws::{hamiltonian, lie_algebra, poisson_space};
 use lie_poisson_systems::lie_poisson::{
-    Covector, Hamiltonian, InTime, LiePoisson, Pair, Real, So3, TimeDependent,
+    Covector, Hamiltonian, InTime, LiePoisson, Pair, Real, So3, Time, TimeDependent,
 };
 use lie_poisson_systems::momentum_map::laws::poisson_map;
 use lie_poisson_systems::momentum_map::{HOPF, TWO_FIELDS};
-use lie_poisson_systems::nalgebra::{Vector1, Vector3};
+use lie_poisson_systems::nalgebra::Vector3;
 use lie_poisson_systems::{
     KeplerOrbit, ReactionWheels, Satellite, SatelliteAlgebra, SatelliteDual, SatelliteOnEllipse,
     WheelMomenta,
@@ -73,12 +73,11 @@ fn satellite_on_ellipse_laws() {
     let suite = |h: &_| hamiltonian::<InTime<LiePoisson<SatelliteAlgebra>>, _>(h, &samples());
     obeys::<SatelliteOnEllipse>(&on_ellipse(), ("differential", 3), ROUND_OFF, suite);
     let gauss = Driven::new(RungeKutta::gauss(2).unwrap(), TWO_FIELDS, TimeDependent(on_ellipse()));
-    let momenta = [Pair(samples::<SatelliteDual>()[0], Vector1::new(0.4))];
+    let momenta = [Pair(samples::<SatelliteDual>()[0], Time(0.4))];
     obeys(&gauss, ("step", 0), ROUND_OFF, |i| laws::start(i, &momenta, STEP));
     let states = momenta.map(|mu| gauss.start(&mu).unwrap());
-    let casimir = |index: usize| {
-        move |mu: &Pair<SatelliteDual, Vector1<f64>>| Satellite::casimirs(&mu.0)[index]
-    };
+    let casimir =
+        |index: usize| move |mu: &Pair<SatelliteDual, Time>| Satellite::casimirs(&mu.0)[index];
     // The Casimirs are functions of the second half of the coordinates.
     obeys(&gauss, ("step", 6), ROUND_OFF_OF_RUNS, |i| {
         laws::invariants(i, &states, STEP, &[&casimir(0), &casimir(1), &casimir(2)])
@@ -90,10 +89,10 @@ fn reaction_wheels_laws() {
     let suite = |h: &_| hamiltonian::<InTime<LiePoisson<So3>>, _>(h, &samples());
     obeys::<ReactionWheels<Wheels, 2>>(&reaction_wheels(), ("differential", 1), ROUND_OFF, suite);
     let gauss = Driven::new(RungeKutta::gauss(2).unwrap(), HOPF, TimeDependent(reaction_wheels()));
-    let momenta = [Pair(samples::<Covector<Vector3<f64>>>()[0], Vector1::new(0.4))];
+    let momenta = [Pair(samples::<Covector<Vector3<f64>>>()[0], Time(0.4))];
     obeys(&gauss, ("step", 0), ROUND_OFF, |i| laws::start(i, &momenta, STEP));
     let states = momenta.map(|mu| gauss.start(&mu).unwrap());
-    let square = |mu: &Pair<Covector<Vector3<f64>>, Vector1<f64>>| mu.0.0.dot(&mu.0.0);
+    let square = |mu: &Pair<Covector<Vector3<f64>>, Time>| mu.0.0.dot(&mu.0.0);
     obeys(&gauss, ("step", 0), ROUND_OFF_OF_RUNS, |i| {
         laws::invariants(i, &states, STEP, &[&square])
     });

@@ -11,14 +11,14 @@ use lie_poisson_systems::collective_integrators::{
 };
 use lie_poisson_systems::lie_poisson::laws::{hamiltonian, poisson_space, sites_hamiltonian};
 use lie_poisson_systems::lie_poisson::{
-    Automatic, Covector, Energy, Hamiltonian, LiePoisson, Pair, Point, PowerAlgebra, ProductSpace,
-    RealSpace, Sign, SitesHamiltonian, So3,
+    Automatic, Covector, Energy, Hamiltonian, LiePoisson, Pair, PathNumber, Point, PowerAlgebra,
+    ProductSpace, RealSpace, Sign, SitesHamiltonian, So3, Time,
 };
 use lie_poisson_systems::momentum_map::laws::{lift, poisson_map};
 use lie_poisson_systems::momentum_map::{
     CotangentBundle, Identity, PowerMap, ProductMap, QuadraticMomentumMap, Side, So3OnC2,
 };
-use lie_poisson_systems::nalgebra::{Vector1, Vector3};
+use lie_poisson_systems::nalgebra::Vector3;
 use lie_poisson_systems::{
     HeisenbergChain, HeisenbergLattice, LangevinSpins, LatticeMidpoint, SpinDamping, SpinLattice,
     SpinLatticeSpace, SpinSpace, Spins,
@@ -173,7 +173,7 @@ fn langevin_spins_laws() {
         let paths = BrownianPaths::new(3, SHORT_STEP).unwrap();
         let damping = SpinDamping::LandauLifshitz(0.4);
         let langevin = LangevinSpins::new(lattice, damping, 0.3, paths).unwrap();
-        let starts = [Pair(s, Pair(Vector1::new(5.0), Vector1::new(0.0)))];
+        let starts = [Pair(s, Pair(PathNumber(5.0), Time(0.0)))];
         obeys(&langevin, ("step", 0), ROUND_OFF, |i| laws::integrator(i, &starts, SHORT_STEP));
         let length = |Pair(s, _): &Pair<Lattice, PathAndTime<f64>>| s.0[0].norm();
         obeys(&langevin, ("step", 0), ROUND_OFF_OF_RUNS, |i| {

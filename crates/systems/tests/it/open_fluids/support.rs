@@ -3,8 +3,7 @@
 use lie_poisson_systems::VorticityCoefficients;
 use lie_poisson_systems::collective_integrators::{BrownianPaths, PathAndTime};
 use lie_poisson_systems::isospectral_flows::LargeSkewHermitian;
-use lie_poisson_systems::lie_poisson::{Pair, larger};
-use lie_poisson_systems::nalgebra::Vector1;
+use lie_poisson_systems::lie_poisson::{Pair, PathNumber, Time, larger};
 use lie_poisson_systems::num_complex::Complex;
 
 pub type Coefficients = VorticityCoefficients;
@@ -29,7 +28,7 @@ pub fn distance(a: &Coefficients, b: &Coefficients) -> f64 {
 }
 
 pub fn on_path(w: LargeSkewHermitian, path: u64) -> Pair<LargeSkewHermitian, PathAndTime<f64>> {
-    Pair(w, Pair(Vector1::new(path as f64), Vector1::new(0.0)))
+    Pair(w, Pair(PathNumber(path as f64), Time(0.0)))
 }
 
 pub fn paths(interval: f64) -> BrownianPaths {

@@ -4,9 +4,9 @@
 use super::attitudes::{directions, on_circle, on_ellipse, pitch};
 use collective_integrators::diagnostics::fitted_order;
 use collective_integrators::{Integrator, RungeKutta, Start};
-use lie_poisson::{Pair, Vector};
+use lie_poisson::{Pair, Time, Vector};
 use lie_poisson_systems::{KeplerOrbit, Satellite, SatelliteDual, SatelliteOnEllipse, SystemError};
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
 /// The moments about the velocity, the normal and the radius: a boom that points to the centre.
@@ -21,9 +21,9 @@ fn satellite(eccentricity: f64) -> SatelliteOnEllipse {
 }
 
 /// The start of a satellite that tumbles, at the time 0.
-fn tumbling(satellite: &SatelliteOnEllipse) -> Pair<SatelliteDual, Vector1<f64>> {
+fn tumbling(satellite: &SatelliteOnEllipse) -> Pair<SatelliteDual, Time> {
     let seen = directions(Vector3::new(0.3, -0.5, 0.4));
-    Pair(satellite.momentum(seen, &Vector3::new(0.7, -0.4, 1.1), 0.0), Vector1::new(0.0))
+    Pair(satellite.momentum(seen, &Vector3::new(0.7, -0.4, 1.1), 0.0), Time(0.0))
 }
 
 #[test]
@@ -55,13 +55,13 @@ fn distances(eccentricity: f64) -> [f64; 2] {
     let seen = directions(Vector3::y() * angle);
     let start = satellite.momentum(seen, &(Vector3::y() * velocity), 0.0);
     let gauss = on_ellipse(RungeKutta::gauss(3).unwrap(), satellite);
-    let run = gauss.trajectory(&Pair(start, Vector1::new(0.0)), TAU / RATE / 40.0).unwrap();
+    let run = gauss.trajectory(&Pair(start, Time(0.0)), TAU / RATE / 40.0).unwrap();
     let mut largest = [0.0_f64; 2];
     for sample in run.take(121) {
         let Pair(mu, time) = sample.unwrap().momentum;
         for (largest, response) in largest.iter_mut().zip([1.0 / (strength - 1.0), 1.0 / strength])
         {
-            let distance = (pitch(&mu) - forced(response, time.x)[0]).abs() / eccentricity;
+            let distance = (pitch(&mu) - forced(response, time.0)[0]).abs() / eccentricity;
             *largest = largest.max(distance);
         }
     }

@@ -3,11 +3,12 @@
 
 use collective_integrators::{Driven, RungeKutta, Start};
 use lie_poisson::{
-    Covector, DualNumber, Hamiltonian, InTime, LiePoisson, Pair, Real, So3, TimeDependent, parts,
+    Covector, DualNumber, Hamiltonian, InTime, LiePoisson, Pair, Real, So3, Time, TimeDependent,
+    parts,
 };
 use lie_poisson_systems::{ReactionWheels, SystemError, WheelMomenta};
 use momentum_map::HOPF;
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 
 /// A wheel with the angular momentum A sin ωt.
 #[derive(Clone, Copy, Debug)]
@@ -28,8 +29,8 @@ fn body(inertia: Vector3<f64>, axis: Vector3<f64>) -> ReactionWheels<ToAndFro, 1
     ReactionWheels::new(inertia, [axis], WHEEL).unwrap()
 }
 
-fn start() -> Pair<Covector<Vector3<f64>>, Vector1<f64>> {
-    Pair(Covector(Vector3::new(0.8, -0.3, 1.1)), Vector1::new(0.0))
+fn start() -> Pair<Covector<Vector3<f64>>, Time> {
+    Pair(Covector(Vector3::new(0.8, -0.3, 1.1)), Time(0.0))
 }
 
 /// With I₁ = I₂ and the wheel along e₃, Π₃ is constant, and (Π₁, Π₂) turns by −∫(Ω₃ − Π₃/I₁) dt, Ω₃ = (Π₃ − A sin
@@ -42,16 +43,16 @@ fn a_symmetric_body_has_a_closed_form() {
     let Pair(Covector(first), _) = start();
     for sample in gauss.trajectory(&start(), 0.1).unwrap().take(101) {
         let Pair(Covector(pi), time) = sample.unwrap().momentum;
-        let wheel = WHEEL.size * (1.0 - (WHEEL.frequency * time.x).cos()) / WHEEL.frequency;
+        let wheel = WHEEL.size * (1.0 - (WHEEL.frequency * time.0).cos()) / WHEEL.frequency;
         let turned = |wheel: f64| {
-            let angle = -(first.z * time.x * (1.0 / along - 1.0 / across) - wheel / along);
+            let angle = -(first.z * time.0 * (1.0 / along - 1.0 / across) - wheel / along);
             let (sin, cos) = angle.sin_cos();
             Vector3::new(first.x * cos - first.y * sin, first.x * sin + first.y * cos, first.z)
         };
         // Order ten with steps of a fifth of a radian.
-        assert!((pi - turned(wheel)).norm() < 1e-9, "{}", time.x);
+        assert!((pi - turned(wheel)).norm() < 1e-9, "{}", time.0);
         // Control: without the wheel the body turns otherwise.
-        assert!(time.x < 0.5 || wheel < 0.1 || (pi - turned(0.0)).norm() > 0.05, "{}", time.x);
+        assert!(time.0 < 0.5 || wheel < 0.1 || (pi - turned(0.0)).norm() > 0.05, "{}", time.0);
     }
 }
 
@@ -67,14 +68,14 @@ fn motors_keep_the_angular_momentum_and_change_the_energy_by_their_power() {
     let [mut least, mut most] = [f64::INFINITY, 0.0_f64];
     for three in run.windows(3) {
         assert!((three[1].0.0.norm() / length - 1.0).abs() < 1e-13);
-        let torque = WHEEL.momenta(DualNumber::variable(three[1].1.x))[0].derivative();
+        let torque = WHEEL.momenta(DualNumber::variable(three[1].1.0))[0].derivative();
         let power = -body.angular_velocity(&three[1]).dot(&axis.normalize()) * torque;
         let change = (energy(&three[2]) - energy(&three[0])) / 0.02;
         // The difference quotient has an error of h²/6 times a third derivative of about ten.
         assert!((change - power).abs() < 1e-3, "{change} {power}");
         let (_, rate) =
             parts(&Hamiltonian::<InTime<LiePoisson<So3>>>::differential(&body, &three[1]));
-        assert!((rate.0.x - power).abs() < 1e-14);
+        assert!((rate.0.0 - power).abs() < 1e-14);
         (least, most) = (least.min(energy(&three[1])), most.max(energy(&three[1])));
     }
     // Control: the energy changes.

@@ -5,18 +5,18 @@ use collective_integrators::{
 };
 use lie_poisson::{
     Autonomous, Covector, DoubleBracket, GilbertDamping, InnerProduct, LiePoisson, OrbitField,
-    Pair, Power, PowerAlgebra, Sites, SitesHamiltonian, So3,
+    Pair, PathNumber, Power, PowerAlgebra, Sites, SitesHamiltonian, So3, Time,
 };
 use lie_poisson_systems::{
     HeisenbergChain, HeisenbergLattice, LangevinSpins, SpinDamping, SpinSpace, SystemError,
 };
 use momentum_map::{PowerMap, QuadraticMomentumMap, Side, So3OnC2};
-use nalgebra::{Vector1, Vector3};
+use nalgebra::Vector3;
 
 type Spins = Covector<Sites<Vector3<f64>>>;
 
 fn on_path(spins: Spins, path: u64) -> Pair<Spins, PathAndTime<f64>> {
-    Pair(spins, Pair(Vector1::new(path as f64), Vector1::new(0.0)))
+    Pair(spins, Pair(PathNumber(path as f64), Time(0.0)))
 }
 
 fn ring(sites: usize) -> HeisenbergLattice {
@@ -128,7 +128,7 @@ fn by_euler(
     move |state| {
         let Pair(spins, Pair(path, clock)) = state;
         increments.resize(3 * spins.0.len(), 0.0);
-        noise(step).write_increments(path.x as u64, clock.x, clock.x + 1.0, &mut increments);
+        noise(step).write_increments(path.0 as u64, clock.0, clock.0 + 1.0, &mut increments);
         lattice.differential_into(spins, &mut dh);
         for ((s, dh), noise) in spins.0.iter_mut().zip(dh.iter()).zip(increments.chunks(3)) {
             let (length, field) = (s.norm(), -dh);
@@ -140,7 +140,7 @@ fn by_euler(
                 *s *= length / s.norm();
             }
         }
-        clock.x += 1.0;
+        clock.0 += 1.0;
     }
 }
 
@@ -246,7 +246,7 @@ fn without_a_temperature_the_motions_are_those_of_damped_spins() {
     let end_of = |field: &dyn OrbitField<SpinSpace<3>>| {
         let map = PowerMap::<_, 3>(QuadraticMomentumMap::new(So3OnC2, Side::Left));
         let gauss = Driven::new(RungeKutta::gauss(3).unwrap(), map, field);
-        let start = Pair(Covector(Power(start)), Vector1::new(0.0));
+        let start = Pair(Covector(Power(start)), Time(0.0));
         gauss.after(&start, 0.05, 40).unwrap().momentum.0.0.0
     };
     let euclidean = InnerProduct::euclidean();
@@ -283,7 +283,7 @@ fn units_do_not_matter() {
         let langevin = LangevinSpins::new(&lattice, damping, 0.7 * u / tau, paths).unwrap();
         let start = on_path(lattice.state(|_| Vector3::new(0.6, 0.0, 0.8) * u), 5);
         let Pair(spins, Pair(_, time)) = langevin.after(&start, STEP * tau, 50).unwrap().momentum;
-        assert!((time.x / tau - 50.0 * STEP).abs() < 1e-12);
+        assert!((time.0 / tau - 50.0 * STEP).abs() < 1e-12);
         spins.0.iter().map(|s| s / u).collect::<Vec<_>>()
     };
     for gilbert in [false, true] {
