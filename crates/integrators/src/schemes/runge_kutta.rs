@@ -6,7 +6,7 @@ use crate::iteration::convergence::is_finite;
 use crate::iteration::stage_rows::{StageColumns, StageRows};
 use crate::iteration::stage_scale::StageScale;
 use crate::iteration::stage_solver::{StageSolver, Unconverged, fit, set_combination};
-use crate::schemes::explicit_step::four_stages;
+use crate::schemes::explicit_step::Ladder;
 use crate::schemes::refinement::Refinement;
 use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
 use crate::schemes::stage_equations::{Stages, is_plain_and_small};
@@ -41,6 +41,7 @@ pub struct RungeKutta {
     solver: StageSolver,
     predictor: Predictor,
     columns: Option<StageColumns>,
+    ladder: Option<Ladder>,
 }
 
 impl RungeKutta {
@@ -49,8 +50,8 @@ impl RungeKutta {
     pub fn new(tableau: Tableau) -> Self {
         let predictor =
             if tableau.is_explicit() { Predictor::none() } else { Predictor::new(tableau.nodes()) };
-        let columns = StageColumns::new(&tableau);
-        Self { tableau, solver: StageSolver::default(), predictor, columns }
+        let (columns, ladder) = (StageColumns::new(&tableau), Ladder::new(&tableau));
+        Self { tableau, solver: StageSolver::default(), predictor, columns, ladder }
     }
 
     /// Returns the same method with another stage solver.
@@ -237,11 +238,7 @@ impl Scheme for RungeKutta {
         step: f64,
         workspace: &mut StageWorkspace<F::Point>,
     ) -> Result<Step<F::Point>, StepError> {
-        // In wide registers the field has to be called at one place, to be inlined there.
-        if T::HAS_SLOW_PATHS
-            && self.is_explicit()
-            && let Some(sum) = four_stages(&self.tableau, field, z, step)
-        {
+        if let Some(sum) = self.ladder.as_ref().and_then(|ladder| ladder.sum(field, z, step)) {
             let mut change = z.zeros_like();
             scale_evenly(&sum, step, &mut change);
             return Ok(Step { point: change, iterations: 0 });
