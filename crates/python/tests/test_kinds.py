@@ -9,16 +9,17 @@ import pytest
 import heavytop
 from heavytop import System
 
-BODIES = [
-    (heavytop.BodyInFluid([2, 2.5, 3], [3, 1.5, 2]), {"Pi": [1, 0.5, 0.2], "P": [0.3, 1, 0]}),
-    (heavytop.EllipticalVortex(1.0, 0.05), {"a": 1.5, "b": 0.5, "angle": 0.3}),
-    (heavytop.Gyrostat([2, 2, 1], 1.0, [0, 0, 1], [0, 0, 2]), {"Pi": [0.5, 0, 3], "Gamma": [0.6, 0, 0.8]}),
-    (heavytop.RigidBody(4, [1, 1.5, 2, 2.5]), [1, 0.2, -0.3, 0.5, 0.1, 0.7]),
-    (heavytop.Satellite([1, 1.2, 0.4], 1.3), {"pitch": 0.3, "roll": 0.1, "relative": [0.2, 0, -0.1]}),
-    (heavytop.SpinChain(3, 1.0, 0.3, [0, 0, 0.2]), [[1, 0, 0], [0, 1, 0], [0, 0.6, 0.8]]),
-    (heavytop.TopOnBase([2, 2, 1], 0.8, 1.3, 9.8, [0, 0, 0.5]), [0.5, 0, 5, 0.1, 0, 0, 0.6, 0, 0.8]),
-    (heavytop.Vortices([1, -0.7]), [[1, 0, 0], [0, 0.6, 0.8]]),
+ARGUMENTS = [
+    (heavytop.BodyInFluid, ([2, 2.5, 3], [3, 1.5, 2]), {"Pi": [1, 0.5, 0.2], "P": [0.3, 1, 0]}),
+    (heavytop.EllipticalVortex, (1.0, 0.05), {"a": 1.5, "b": 0.5, "angle": 0.3}),
+    (heavytop.Gyrostat, ([2, 2, 1], 1.0, [0, 0, 1], [0, 0, 2]), {"Pi": [0.5, 0, 3], "Gamma": [0.6, 0, 0.8]}),
+    (heavytop.RigidBody, (4, [1, 1.5, 2, 2.5]), [1, 0.2, -0.3, 0.5, 0.1, 0.7]),
+    (heavytop.Satellite, ([1, 1.2, 0.4], 1.3), {"pitch": 0.3, "roll": 0.1, "relative": [0.2, 0, -0.1]}),
+    (heavytop.SpinChain, (3, 1.0, 0.3, [0, 0, 0.2]), [[1, 0, 0], [0, 1, 0], [0, 0.6, 0.8]]),
+    (heavytop.TopOnBase, ([2, 2, 1], 0.8, 1.3, 9.8, [0, 0, 0.5]), [0.5, 0, 5, 0.1, 0, 0, 0.6, 0, 0.8]),
+    (heavytop.Vortices, ([1, -0.7],), [[1, 0, 0], [0, 0.6, 0.8]]),
 ]
+BODIES = [(system(*given), start) for system, given, start in ARGUMENTS]
 
 
 @pytest.mark.parametrize(("system", "start"), BODIES, ids=lambda value: type(value).__name__)
@@ -35,6 +36,26 @@ def test_a_class_conserves_what_its_system_conserves(system, start):
     other = pickle.loads(pickle.dumps(system))
     assert other.hamiltonian == system.hamiltonian and other.bracket == system.bracket
     assert np.array_equal(other.rate(run.y[:, 3]), system.rate(run.y[:, 3]))
+
+
+@pytest.mark.parametrize(("system", "given", "start"), ARGUMENTS, ids=lambda value: getattr(value, "__name__", ""))
+def test_a_class_takes_forces(system, given, start):
+    alone = system(*given).solve(start, step=0.02, end=1)
+    unit = [1.0] * len(system(*given).coordinates)
+    damped = system(*given, damping={"friction": 0.05, "inner_product": unit}).solve(start, step=0.02, end=1, scheme="gauss-8")
+    h = damped.invariants["h"]
+    assert (np.diff(h) < 0).all() and np.abs(damped.y[:, -1] - alone.y[:, -1]).max() > 1e-4
+    assert all(damped.deviation(name) < 1e-9 for name in damped.kept) and "h" not in damped.kept
+    noises = [{"strength": 0.05, "inner_product": unit, "path": path} for path in (0, 0, 1)]
+    noisy = [system(*given, noise=noise).solve(start, step=0.02, end=1) for noise in noises]
+    assert np.array_equal(noisy[0].y, noisy[1].y) and not np.array_equal(noisy[0].y, noisy[2].y)
+    name = system(*given).coordinates[0]
+    pushed = system(*given, inputs={"u": ([0, 0.5, 1], [0, 0.1, 0], "linear")}, torque={name: "u"})
+    assert pushed.kept == () and np.abs(pushed.solve(start, step=0.02, end=1).y[:, -1] - alone.y[:, -1]).max() > 1e-3
+    with pytest.raises(TypeError, match="friction"):
+        system(*given, friction=0.1)
+    with pytest.raises(ValueError, match="a kind has its algebra"):
+        system(*given, hamiltonian="Pi1")
 
 
 def test_many_starts_and_growth_of_a_class():

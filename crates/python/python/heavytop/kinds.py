@@ -1,8 +1,11 @@
-"""Systems of the library by their own names."""
+"""Systems of the library by their own names.
+
+Each takes `inputs`, `drive`, `damping`, `noise` and `torque` by name, as `System` does.
+"""
 
 from __future__ import annotations
 
-from typing import Optional, Union
+from typing import Any, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,15 +25,16 @@ class BodyInFluid(System):
         inertia: I of body and fluid, kg m^2: its three moments, or an array of shape (3, 3).
         masses: M of body and fluid, kg: three masses along the axes, or an array of shape (3, 3).
         coupling: D, kg m, an array of shape (3, 3); 0 for a body with three planes of symmetry.
+        forces: inputs, drive, damping, noise and torque, as for `System`.
 
     Example:
         >>> BodyInFluid([1, 2, 3], [1, 2, 4]).casimirs
         {'c1': 'Pi·P', 'c2': '|P|^2'}
     """
 
-    def __init__(self, inertia: ArrayLike, masses: ArrayLike, coupling: Optional[ArrayLike] = None) -> None:
+    def __init__(self, inertia: ArrayLike, masses: ArrayLike, coupling: Optional[ArrayLike] = None, **forces: Any) -> None:
         parameters = {"inertia": inertia, "masses": masses, **({} if coupling is None else {"coupling": coupling})}
-        super().__init__(kind="body-in-fluid", parameters=parameters)
+        super().__init__(kind="body-in-fluid", parameters=parameters, **forces)
 
 
 class EllipticalVortex(System):
@@ -44,6 +48,7 @@ class EllipticalVortex(System):
         strength: the vorticity times the product of the semi-axes, m^2/s.
         strain: the rate of strain of the flow around the vortex, 1/s.
         rotation: the angular velocity of that flow, 1/s.
+        forces: inputs, drive, damping, noise and torque, as for `System`.
 
     Example:
         Without strain, an ellipse turns at Kirchhoff's rate w ab/(a + b)^2:
@@ -55,8 +60,9 @@ class EllipticalVortex(System):
         (0.1875, 1.5, 0.5)
     """
 
-    def __init__(self, strength: float, strain: float = 0.0, rotation: float = 0.0) -> None:
-        super().__init__(kind="elliptical-vortex", parameters={"strength": strength, "strain": strain, "rotation": rotation})
+    def __init__(self, strength: float, strain: float = 0.0, rotation: float = 0.0, **forces: Any) -> None:
+        parameters = {"strength": strength, "strain": strain, "rotation": rotation}
+        super().__init__(kind="elliptical-vortex", parameters=parameters, **forces)
 
     def ellipse(self, y: ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Returns the semi-axes a and b, and the angle of the first, from -pi/2 to pi/2, at states of shape (3,) or (3, n)."""
@@ -73,15 +79,16 @@ class Gyrostat(System):
         weight: m g, N.
         center_of_mass: from the support, m.
         rotor: the angular momentum of the rotor in the body, kg m^2/s.
+        forces: inputs, drive, damping, noise and torque, as for `System`.
 
     Example:
         >>> Gyrostat([2, 2, 1], 1.0, [0, 0, 1], [0, 0, 5]).rate([0, 0, 5, 1, 0, 0])
         array([ 0., -1.,  0.,  0.,  0.,  0.])
     """
 
-    def __init__(self, inertia: ArrayLike, weight: float, center_of_mass: ArrayLike, rotor: ArrayLike) -> None:
+    def __init__(self, inertia: ArrayLike, weight: float, center_of_mass: ArrayLike, rotor: ArrayLike, **forces: Any) -> None:
         parameters = {"inertia": inertia, "weight": weight, "center_of_mass": center_of_mass, "rotor": rotor}
-        super().__init__(kind="gyrostat", parameters=parameters)
+        super().__init__(kind="gyrostat", parameters=parameters, **forces)
 
 
 class RigidBody(System):
@@ -94,13 +101,14 @@ class RigidBody(System):
     Args:
         dimension: n, which may be left out, as in `RigidBody(moments)`.
         moments: the n second moments of the mass along each axis, kg m^2.
+        forces: inputs, drive, damping, noise and torque, as for `System`.
 
     Example:
         >>> RigidBody(4, [1, 1.5, 2, 2.5]).coordinates
         ('L12', 'L13', 'L14', 'L23', 'L24', 'L34')
     """
 
-    def __init__(self, dimension: Union[int, ArrayLike, None] = None, moments: Optional[ArrayLike] = None) -> None:
+    def __init__(self, dimension: Union[int, ArrayLike, None] = None, moments: Optional[ArrayLike] = None, **forces: Any) -> None:
         if moments is None:
             dimension, moments = None, dimension
         if moments is None:
@@ -108,7 +116,7 @@ class RigidBody(System):
         given = numbers("moments", moments)
         if dimension is not None and count("dimension", dimension, 2) != len(given):
             raise ValueError(f"moments must have the shape ({dimension},), one for each of {dimension} axes, got {given.shape}")
-        super().__init__(kind="rigid-body", parameters={"moments": given})
+        super().__init__(kind="rigid-body", parameters={"moments": given}, **forces)
 
 
 class Satellite(System):
@@ -122,6 +130,7 @@ class Satellite(System):
     Args:
         moments: the three principal moments, kg m^2.
         rate: the angular velocity of the orbit, rad/s.
+        forces: inputs, drive, damping, noise and torque, as for `System`.
 
     Example:
         A boom along the radius swings in the plane of the orbit with the frequency n sqrt(3 (I1 - I3)/I2) of small angles:
@@ -133,8 +142,8 @@ class Satellite(System):
         (1.224745, 1.224745)
     """
 
-    def __init__(self, moments: ArrayLike, rate: float) -> None:
-        super().__init__(kind="satellite", parameters={"I": moments, "n": rate})
+    def __init__(self, moments: ArrayLike, rate: float, **forces: Any) -> None:
+        super().__init__(kind="satellite", parameters={"I": moments, "n": rate}, **forces)
 
     def angles(self, y: ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Returns roll, pitch and yaw, in radians, at states of shape (9,) or (9, n); the pitch is from -pi/2 to pi/2."""
@@ -156,11 +165,14 @@ class TopOnBase(System):
         base_mass: of the base, kg.
         gravity: m/s^2.
         center_of_mass: of the top from the support, m.
+        forces: inputs, drive, damping, noise and torque, as for `System`.
     """
 
-    def __init__(self, inertia: ArrayLike, mass: float, base_mass: float, gravity: float, center_of_mass: ArrayLike) -> None:
+    def __init__(
+        self, inertia: ArrayLike, mass: float, base_mass: float, gravity: float, center_of_mass: ArrayLike, **forces: Any
+    ) -> None:
         masses = {"mass": mass, "base_mass": base_mass, "gravity": gravity}
-        super().__init__(kind="top-on-base", parameters={"inertia": inertia, "center_of_mass": center_of_mass, **masses})
+        super().__init__(kind="top-on-base", parameters={"inertia": inertia, "center_of_mass": center_of_mass, **masses}, **forces)
 
 
 ON_SPHERE = 1e-5
@@ -197,6 +209,7 @@ class SpinChain(_Vectors):
         anisotropy: K; positive for an easy axis.
         field: B.
         periodic: whether the last spin has a bond with the first.
+        forces: inputs, drive, damping, noise and torque, as for `System`.
 
     Example:
         A spin wave of a small amplitude turns at 2 J (1 - cos k):
@@ -215,7 +228,13 @@ class SpinChain(_Vectors):
     """
 
     def __init__(
-        self, spins: int, exchange: float, anisotropy: float = 0.0, field: Optional[ArrayLike] = None, periodic: bool = True
+        self,
+        spins: int,
+        exchange: float,
+        anisotropy: float = 0.0,
+        field: Optional[ArrayLike] = None,
+        periodic: bool = True,
+        **forces: Any,
     ) -> None:
         parameters = {
             "spins": spins,
@@ -224,7 +243,7 @@ class SpinChain(_Vectors):
             "field": [0.0, 0.0, 0.0] if field is None else field,
             "periodic": float(periodic),
         }
-        super().__init__(kind="spin-chain", parameters=parameters)
+        super().__init__(kind="spin-chain", parameters=parameters, **forces)
 
     def spins(self, y: ArrayLike) -> Floats:
         """Returns the spins at states of shape (d,) or (d, n), as an array of shape (N, 3) or (n, N, 3)."""
@@ -239,6 +258,7 @@ class Vortices(_Vectors):
     Args:
         strengths: the circulation of each vortex, m^2/s; up to 48. `ManyVortices` has more.
         positions: on the unit sphere, of shape (N, 3), for runs that are given no start.
+        forces: inputs, drive, damping, noise and torque, as for `System`.
 
     Example:
         Two equal vortices turn about the point between them, at the rate k/(4 pi) for a right angle:
@@ -251,9 +271,9 @@ class Vortices(_Vectors):
         True
     """
 
-    def __init__(self, strengths: ArrayLike, positions: Optional[ArrayLike] = None) -> None:
+    def __init__(self, strengths: ArrayLike, positions: Optional[ArrayLike] = None, **forces: Any) -> None:
         self._strengths = numbers("strengths", strengths)
-        super().__init__(kind="vortices", parameters={"strengths": self._strengths})
+        super().__init__(kind="vortices", parameters={"strengths": self._strengths}, **forces)
         if positions is not None:
             if np.shape(positions) not in self._shapes_of_state():
                 raise ValueError(f"positions must have the shape {self._shapes_of_state()[0]}, got {np.shape(positions)}")

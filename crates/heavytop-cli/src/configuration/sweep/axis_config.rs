@@ -83,6 +83,15 @@ impl AxisConfig {
             }
             _ => {}
         }
+        let is_force = matches!(parameter, Parameter::Force(force) if force.is_never_negative());
+        let least = match spread {
+            Spread::Grid { from, to, .. } | Spread::Uniform { from, to } => from.min(to),
+            // Members of a normal distribution are refused one by one.
+            Spread::Normal { .. } => 0.0,
+        };
+        if is_force && least < 0.0 {
+            return Err(wrong(format!("numbers of at least 0, got {}", number(least))));
+        }
         let is_component = matches!(parameter, Parameter::Top(top) if top.is_component());
         if normalise && !is_component {
             return Err(wrong("no normalise: it is not a component of a unit vector".into()));

@@ -44,6 +44,11 @@ impl ForceParameter {
         }))
     }
 
+    /// Returns whether the number is at least 0 in every motion.
+    pub(super) const fn is_never_negative(&self) -> bool {
+        !matches!(self, Self::InputValue { .. })
+    }
+
     /// Reads `NAME.values[i]`.
     fn value_of_input(path: &str) -> Option<Self> {
         let (input, index) = path.strip_suffix(']')?.rsplit_once(".values[")?;

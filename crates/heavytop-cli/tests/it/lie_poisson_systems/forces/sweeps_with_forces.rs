@@ -174,6 +174,18 @@ fn what_a_sweep_with_forces_does_not_have_is_refused() {
         (SPIN, &[("inputs.v.values[0]", 0.1, 0.2)], "sweep.seed=0", &["there is no inputs.v"]),
         (SPIN, &[("body.mass", 0.1, 0.2)], "sweep.seed=0", &["body.mass is of a top"]),
         (SPIN, &[friction[0], friction[0]], "sweep.seed=0", &["set the same thing"]),
+        (
+            SPIN,
+            &[("damping.friction", 0.2, -0.1)],
+            "sweep.seed=0",
+            &["the axis damping.friction", "at least 0, got -0.1"],
+        ),
+        (
+            SPIN,
+            &[("noise.temperature", -1.0, 2.0)],
+            "sweep.seed=0",
+            &["the axis noise.temperature", "at least 0, got -1"],
+        ),
         (TOP, &[("system.initial.x", 0.1, 0.2)], "sweep.seed=0", &["is of [system]"]),
         (SPIN, &friction, "integrator.end=3", &["from 0 to 2", "from 0 to 3"]),
         (TOP, &friction, "integrator.end=1", &["u.csv", "from 0 to 0.5", "from 0 to 1"]),
