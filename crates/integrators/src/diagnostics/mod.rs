@@ -12,6 +12,7 @@
 //! | φ on a Poisson space is a Poisson map | [`poisson_defect`], [`step_poisson_defect`] |
 //! | Φ₋ₕ ∘ Φₕ = id | [`reversibility_defect`] |
 //! | Φ descends to 𝔤∗ | [`fibre_defects`] |
+//! | a quantity changes by what a torque or a friction supplies | [`Balance`] |
 //! | an invariant does not drift | [`Drift`], relative to its [`InvariantSize`] |
 //! | round-off grows as a random walk | [`EnsembleGrowth`] |
 //! | the motion is right | [`run_accuracy`], [`check_by_half_steps`] |
@@ -23,6 +24,7 @@ mod step_map;
 mod reversibility;
 mod fibre_defects;
 mod drift;
+mod balance;
 mod invariant_size;
 mod ensemble_growth;
 mod accuracy;
@@ -30,6 +32,7 @@ mod accuracy;
 pub use accuracy::{
     NoOrder, RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,
 };
+pub use balance::Balance;
 pub use drift::{Drift, DriftError};
 pub use ensemble_growth::EnsembleGrowth;
 pub use fibre_defects::{FibreDefects, fibre_defects};

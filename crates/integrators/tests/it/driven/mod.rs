@@ -5,3 +5,4 @@ mod damped_spins;
 mod driven_orders;
 mod inputs;
 mod torques;
+mod balances;
