@@ -4,5 +4,6 @@ mod driven_casimirs;
 mod damped_spins;
 mod driven_orders;
 mod inputs;
+mod poisson_steps;
 mod torques;
 mod balances;
