@@ -1,7 +1,7 @@
 //! Spins with Gilbert's damping: the implicit equation, the loss of energy, and Landau and Lifshitz's form, in all
 //! units.
 
-use crate::support::{holds, laws, samples};
+use crate::support::{broken, holds, laws, samples};
 use lie_poisson::*;
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -140,6 +140,63 @@ fn laws_of_gilbert_damping() {
     let h = Automatic(Chain { field: Vector3::new(0.1, 0.7, -0.2) });
     let damped = GilbertDamping::new(space, Autonomous(h), 0.4).unwrap();
     holds(laws::orbit_field(&space, &damped, (0.0, 1.0), &samples()).unwrap());
+}
+
+/// A double bracket of dh with the friction θ as Gilbert's equation with α = θ |s| and the field (1 + α²) dh, and one thing wrong.
+#[derive(Clone, Copy, PartialEq)]
+enum AsGilbert {
+    Sound,
+    /// α is not larger for longer spins.
+    OneLength,
+    /// The precession slows down.
+    SlowsDown,
+    /// The damping is that for the other bracket, and feeds energy.
+    OtherBracket,
+}
+
+/// The form of Gilbert's equation with the friction θ.
+struct WithFriction<'a, H>(AsGilbert, &'a H, f64);
+
+impl<H: Hamiltonian<LiePoisson<So3>>> OrbitField<LiePoisson<So3>> for WithFriction<'_, H> {
+    fn element(&self, s: &Covector<Vector3<f64>>, time: f64) -> Vector3<f64> {
+        let Self(kind, h, friction) = *self;
+        let length = if kind == AsGilbert::OneLength { 1.0 } else { s.0.norm() };
+        let damping = friction * length;
+        let faster = if kind == AsGilbert::SlowsDown { 1.0 } else { 1.0 + damping * damping };
+        let sign = if kind == AsGilbert::OtherBracket { Sign::Plus } else { Sign::Minus };
+        let field = Constant(h.differential(s) * faster);
+        GilbertDamping::new(LiePoisson::new(So3, sign), field, damping).unwrap().element(s, time)
+    }
+}
+
+/// As a double bracket, Gilbert's damping obeys the laws of these, which reject what breaks it.
+#[test]
+fn laws_of_gilbert_damping_reject_what_breaks_them() {
+    const BOTH: [&str; 2] = ["loss of energy", "linear in the friction"];
+    let (space, euclidean) = (LiePoisson::minus(So3), InnerProduct::euclidean());
+    let h = from_closure::<LiePoisson<So3>, _>(|Covector(s)| s.x * s.y * 0.3 - s.z + s.x * s.x);
+    let cases: [(AsGilbert, &[&str]); 4] = [
+        (AsGilbert::Sound, &[]),
+        (AsGilbert::OneLength, &BOTH),
+        (AsGilbert::SlowsDown, &BOTH),
+        (AsGilbert::OtherBracket, &BOTH),
+    ];
+    for (kind, expected) in cases {
+        let field = |friction| WithFriction(kind, &h, friction);
+        let report = laws::double_bracket(&space, &h, &euclidean, field, 0.7, &samples()).unwrap();
+        assert_eq!(broken(&report), expected);
+    }
+    // A damped field has the breaks of the field that it damps.
+    let table = InputTable::new(vec![0.0, 0.4, 1.0], vec![1.0, -0.5, 2.0], Interpolation::Linear);
+    let inputs = Inputs::new(vec![(Vector3::new(0.3, 1.0, -0.4), table.unwrap())]).unwrap();
+    let damped = GilbertDamping::new(space, inputs, 0.4).unwrap();
+    for (field, expected) in [
+        (laws::Faulty::without_fault(&damped), &[][..]),
+        (laws::Faulty::new(&damped, "next_break", 0), &["smoothness"]),
+    ] {
+        let report = laws::orbit_field(&space, &field, (0.0, 1.0), &samples()).unwrap();
+        assert_eq!(broken(&report), expected);
+    }
 }
 
 #[test]

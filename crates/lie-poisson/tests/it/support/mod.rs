@@ -23,3 +23,9 @@ pub fn samples<V: Vector<Scalar = f64>>() -> Vec<V> {
 pub fn holds(report: Report) {
     report.check(TOLERANCE).unwrap();
 }
+
+/// Returns the laws that do not hold.
+pub fn broken(report: &Report) -> Vec<&'static str> {
+    let residuals = report.residuals().iter();
+    residuals.filter(|(_, x)| x.is_nan() || *x > TOLERANCE).map(|(law, _)| *law).collect()
+}
