@@ -154,26 +154,40 @@ fn a_free_rigid_body_has_the_means_of_gibbs() {
     assert!((found[1].0 - uniform).abs() > 4.0 * found[1].1, "{found:?} {uniform}");
 }
 
-/// Control: a step of Euler and Maruyama of Itô's equation that is scaled back to the sphere, at the same step, misses the mean.
+/// Returns means over a path by steps of Euler and Maruyama of Itô's equation that are scaled back to the sphere. `angular` is
+/// dh.
+fn scaled_back<const K: usize>(
+    angular: impl Fn(&Vector3<f64>) -> Vector3<f64>,
+    (friction, temperature): (f64, f64),
+    (paths, step, steps): (&BrownianPaths, f64, u32),
+    measure: impl Fn(&Vector3<f64>) -> [f64; K],
+) -> [f64; K] {
+    let strength = (2.0 * friction * temperature).sqrt();
+    let (mut s, mut sums) = (Vector3::new(0.6, 0.0, 0.8), [0.0; K]);
+    for n in 0..steps {
+        let mut noise = [0.0; 3];
+        paths.write_increments(0, f64::from(n), f64::from(n) + 1.0, &mut noise);
+        let field = angular(&s);
+        let drift =
+            s.cross(&field) + s.cross(&s.cross(&field)) * friction - s * (strength * strength);
+        s += drift * step + s.cross(&Vector3::from(noise)) * strength;
+        s.normalize_mut();
+        sums.iter_mut().zip(measure(&s)).for_each(|(sum, x)| *sum += x);
+    }
+    sums.map(|sum| sum / f64::from(steps))
+}
+
+/// Control: such steps, of the same size, miss the mean.
 #[test]
 #[ignore = "long"]
 fn a_step_of_euler_and_maruyama_misses_the_means() {
     let (temperature, friction, step) = (1.0, 0.5, 0.4);
     let paths = BrownianPaths::new(2, step).unwrap();
-    let strength = (2.0_f64 * friction * temperature).sqrt();
-    let (mut s, mut sum, mut count) = (Vector3::new(0.6, 0.0, 0.8), 0.0, 0.0);
-    for n in 0..50_000 {
-        let mut noise = [0.0; 3];
-        paths.write_increments(0, f64::from(n), f64::from(n) + 1.0, &mut noise);
-        let field = -Vector3::z();
-        let drift =
-            s.cross(&field) + s.cross(&s.cross(&field)) * friction - s * (strength * strength);
-        s += drift * step + s.cross(&Vector3::from(noise)) * strength;
-        s.normalize_mut();
-        (sum, count) = (sum + s.z, count + 1.0);
-    }
+    let of_run = (&paths, step, 50_000);
+    let [mean] =
+        scaled_back(|_| -Vector3::z(), (friction, temperature), of_run, |s: &Vector3<f64>| [s.z]);
     let exact = 1.0_f64.tanh().recip() - 1.0;
-    assert!((sum / count - exact).abs() > 0.02, "{} {exact}", sum / count);
+    assert!((mean - exact).abs() > 0.02, "{mean} {exact}");
     // The collective midpoint rule, with the same step and noise, does not.
     let spin = langevin(
         (HOPF, LiePoisson::minus(So3), Automatic(InField)),
@@ -183,4 +197,26 @@ fn a_step_of_euler_and_maruyama_misses_the_means() {
     let start = Covector(Vector3::new(0.6, 0.0, 0.8));
     let [found] = time_means(&spin, start, (step, 20_000), |s| [s.0.z]);
     assert!((found.0 - exact).abs() < 4.0 * found.1 + 5e-3, "{found:?} {exact}");
+}
+
+/// Control: they miss the mean of Π₃² of a free body, too. By 100 000 of them it has a standard error of 0.0013, and is 0.024 above
+/// the exact one.
+#[test]
+#[ignore = "long"]
+fn a_step_of_euler_and_maruyama_misses_the_means_of_a_free_body() {
+    let (temperature, friction, step) = (0.2, 1.0, 0.8);
+    let paths = BrownianPaths::new(2, step).unwrap();
+    let measure = |s: &Vector3<f64>| [kinetic(s), s.z * s.z];
+    let weight = |s: &Vector3<f64>| (-kinetic(s) / temperature).exp();
+    let exact = [sphere_mean(weight, kinetic), sphere_mean(weight, |s| s.z * s.z)];
+    let angular = |s: &Vector3<f64>| s.component_div(&Vector3::from(INERTIA));
+    let of_run = (&paths, step, 100_000);
+    let [_, square] = scaled_back(angular, (friction, temperature), of_run, measure);
+    assert!(square - exact[1] > 0.015, "{square} {exact:?}");
+    // The collective midpoint rule, with the same step and noise, does not.
+    let space = LiePoisson::minus(So3);
+    let body = langevin((HOPF, space, Automatic(Body)), (friction, temperature), paths);
+    let start = Covector(Vector3::new(0.6, 0.0, 0.8));
+    let found = time_means(&body, start, (step, 20_000), |s| measure(&s.0));
+    require(found, exact, 5e-3, "body");
 }
