@@ -119,3 +119,12 @@ fn noise_keeps_the_casimirs_of_each_path_many_times() {
     let found = deviations(NoiseRule::Together, 1_000_000);
     assert!(found.iter().all(|deviation| *deviation < 1e-12), "{found:?}");
 }
+
+/// In a step of this rule each field of the noise acts by itself, so that there are more stages and more roundings.
+#[test]
+#[ignore = "takes minutes"]
+fn alternating_noise_keeps_the_casimirs_of_each_path_many_times() {
+    let found = deviations(NoiseRule::Alternating, 1_000_000);
+    println!("{found:?}");
+    assert!(found.iter().all(|deviation| *deviation < 1e-12), "{found:?}");
+}
