@@ -147,6 +147,23 @@ impl InputTable {
         self.piecewise(time, |piece| piece.at(time))
     }
 
+    /// Returns at t the polynomial of the interval in which the time `inside` lies: u(t) if t lies there too, and otherwise
+    /// its continuation beyond the times of the table. It is NaN if `inside` is outside the table.
+    ///
+    /// A method sees a smooth input by it, also at the end of a step where the input jumps, or where a composition goes
+    /// beyond the step.
+    ///
+    /// ```
+    /// use lie_poisson::{InputTable, Interpolation};
+    /// let table = InputTable::new(vec![0.0, 1.0, 3.0], vec![2.0, 5.0, 1.0], Interpolation::Linear)?;
+    /// assert_eq!((table.continued(0.5, 0.9), table.continued(0.5, 2.0)), (table.at(0.9), 8.0));
+    /// # Ok::<(), lie_poisson::InputTableError>(())
+    /// ```
+    #[must_use]
+    pub fn continued<T: Real>(&self, inside: T, time: T) -> T {
+        self.piecewise(inside, |piece| piece.at(time))
+    }
+
     /// Returns the derivative du/dt at t, that from the right at the times of the table and from the left at the last
     /// one. It is 0 between jumps of a [constant](Interpolation::Constant) input, and NaN outside the table.
     #[must_use]
