@@ -33,7 +33,7 @@
 //! | a Poisson integrator on 𝔤∗ from a realisation M: P → 𝔤∗ | [`Collective`] |
 //! | an integrator that conserves the Casimirs, for a field that depends on time, or loses energy on its orbit | [`Driven`]; [`DrivenField`] on the equations |
 //! | the same with noise, at a temperature for example | [`Noisy`], or faster [`NoisyReduced`], with [`BrownianPaths`] |
-//! | the same with torques that change the Casimirs | [`Torqued`] |
+//! | the same with torques that change the Casimirs | [`Torqued`] by a [`TorqueFlow`]: [`ConstantTorque`], [`ViscousTorque`], [`ViscousMatrix`], [`TabulatedTorque`] |
 //! | the same for N copies of M, with N known when the program runs | [`CollectiveSites`]; [`LiftFreeSites`] without a lift |
 //! | a collective integrator that computes on 𝔤∗ itself | [`LiftFree`] |
 //! | a scheme applied directly to the equations | [`Direct`] |
@@ -161,6 +161,11 @@ pub use open_systems::paths::brownian_paths::{BrownianError, BrownianPaths};
 pub use open_systems::smooth_pieces::Window;
 pub use open_systems::step_parts::StepParts;
 pub use open_systems::torqued::{TorqueFlow, Torqued};
+pub use open_systems::torques::constant_torque::ConstantTorque;
+pub use open_systems::torques::tabulated_torque::TabulatedTorque;
+pub use open_systems::torques::torque_error::TorqueError;
+pub use open_systems::torques::viscous_matrix::ViscousMatrix;
+pub use open_systems::torques::viscous_torque::ViscousTorque;
 pub use runs::crossing::Direction;
 pub use runs::dense_output::{DenseOutput, DenseOutputError};
 pub use runs::event_search::EventSearch;

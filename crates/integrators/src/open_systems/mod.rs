@@ -9,3 +9,4 @@ pub(crate) mod driven;
 pub(crate) mod noisy;
 pub(crate) mod noisy_reduced;
 pub(crate) mod torqued;
+pub(crate) mod torques;
