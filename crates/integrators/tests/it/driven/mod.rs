@@ -8,3 +8,5 @@ mod inputs;
 mod poisson_steps;
 mod torques;
 mod balances;
+mod ready_torques;
+mod tabulated_torques;

@@ -151,9 +151,11 @@ fn a_torque_that_depends_on_time_keeps_the_orders() {
         });
         errors.into()
     };
-    for (substeps, expected, counts) in
-        [(None, 2.0, [40, 80, 160]), (Some(Substeps::suzuki4()), 4.0, [20, 40, 80])]
-    {
+    for (substeps, expected, counts) in [
+        (None, 2.0, [40, 80, 160]),
+        (Some(Substeps::suzuki4()), 4.0, [20, 40, 80]),
+        (Some(Substeps::yoshida6()), 6.0, [40, 60, 80]),
+    ] {
         let found = errors(substeps, counts);
         let order = fitted_order(&found, 1e-14).unwrap();
         assert!((order - expected).abs() < 0.1 * expected, "{expected}: {order} {found:?}");
