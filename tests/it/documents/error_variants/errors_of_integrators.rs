@@ -3,15 +3,16 @@
 use super::refused;
 use collective_integrators::diagnostics::{Drift, EnsembleGrowth, fitted_order, step_map};
 use collective_integrators::{
-    BrownianPaths, Collective, DenseOutput, Direct, Direction, Events, FirstHalf, Integrator,
-    LyapunovExponents, PartitionedRungeKutta, RungeKutta, StageSolver, Start, StepError, Substeps,
-    Tableau, TorqueFlow, Torqued, VectorField,
+    BrownianPaths, Collective, ConstantTorque, DenseOutput, Direct, Direction, Events, FirstHalf,
+    Integrator, LyapunovExponents, PartitionedRungeKutta, RungeKutta, StageSolver, Start,
+    StepError, Substeps, Tableau, TabulatedTorque, TorqueFlow, Torqued, VectorField, ViscousMatrix,
+    ViscousTorque,
 };
 use heavytop::{HeavyTop, SpinorRealisation};
-use lie_poisson::{Real, Se3Dual};
+use lie_poisson::{InputTable, Interpolation, Real, Se3Dual};
 use momentum_map::PARTICLE;
 
-use nalgebra::{Vector1, Vector3};
+use nalgebra::{Matrix2, Vector1, Vector3};
 use workspace_tests::tops;
 
 /// The field ẋ = x², whose solution from 1 is infinite at t = 1.
@@ -73,6 +74,7 @@ pub fn steps_and_schemes() -> Vec<String> {
     let top = HeavyTop::kovalevskaya(1.0, 1.0).unwrap();
     let particle = Collective::new(RungeKutta::implicit_midpoint(), PARTICLE, top);
     let torqued = Torqued::new(particle, AlongGamma);
+    let table = InputTable::new(vec![0.0, 1.0], vec![0.0, 1.0], Interpolation::Linear).unwrap();
     let astray = Direct::new(RungeKutta::implicit_midpoint(), Saturating);
     assert!(failure(&astray, 1.0, (0, 0.4), 1).is_ok());
     vec![
@@ -83,6 +85,11 @@ pub fn steps_and_schemes() -> Vec<String> {
         refused(failure(&rk4, 1.0, (0, f64::INFINITY), 0)),
         refused(failure(&rk4, 0.0, (u64::MAX, 0.1), 1)),
         refused(torqued.step(&across, 0.1, &mut torqued.workspace())),
+        refused(ConstantTorque::new(Vector1::new(f64::NAN))),
+        refused(TabulatedTorque::new(vec![(Vector1::new(f64::INFINITY), table)])),
+        refused(ViscousTorque::new(Vector1::new(-1.0))),
+        refused(ViscousMatrix::new(&Matrix2::new(1.0, 0.0, 0.0, f64::NAN))),
+        refused(ViscousMatrix::new(&Matrix2::new(1.0, 0.5, 0.0, 1.0))),
         refused(BrownianPaths::new(1, 0.0)),
         refused(BrownianPaths::new(1, 0.1).unwrap().with_bound(0.5)),
         refused(RungeKutta::gauss(0)),
