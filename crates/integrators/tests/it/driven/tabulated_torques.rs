@@ -3,14 +3,15 @@
 use super::ready_torques::{Body, orders};
 use collective_integrators::diagnostics::fitted_order;
 use collective_integrators::{
-    Composition, Driven, RungeKutta, Start, StepError, Substeps, TabulatedTorque, TorqueError,
-    TorqueFlow, Torqued,
+    Composition, Driven, Ensemble, Laned, RungeKutta, Start, StepError, Substeps, TabulatedTorque,
+    TorqueError, TorqueFlow, Torqued, laws,
 };
 use lie_poisson::{
     Automatic, Autonomous, Covector, InputTable, InputTableError, Interpolation, Pair, Time,
 };
 use momentum_map::{HOPF, HopfRealisation};
 use nalgebra::{Vector2, Vector3};
+use std::sync::Mutex;
 
 type Timed = Pair<Covector<Vector3<f64>>, Time>;
 
@@ -238,5 +239,49 @@ fn tables_have_no_units_of_their_own() {
             let found = end(momentum, time);
             assert!((found - expected).norm() < 8.0 * f64::EPSILON, "{found} {expected}");
         }
+    }
+}
+
+/// Returns the ends of 19 members in lanes, which begin at multiples of a time.
+fn ends_in_lanes(apart: f64) -> Vec<(Timed, Timed)> {
+    let torqued = || {
+        Torqued::new(orbits(), torque(Interpolation::Linear)).with_substeps(Substeps::yoshida6())
+    };
+    let begin = |member: u64| {
+        let pi = start().0.0 + Vector3::x() * (0.01 * member as f64);
+        Pair(Covector(pi), Time(apart * member as f64))
+    };
+    let ends = Mutex::new(vec![None; 19]);
+    Ensemble::new(Laned::new(torqued())).stream(19, begin, 0.04, 100, |chunk| {
+        assert!(chunk.failures.is_empty());
+        for (member, end) in (chunk.first as usize..).zip(chunk.members) {
+            ends.lock().unwrap()[member] = Some(*end);
+        }
+    });
+    let together = ends.into_inner().unwrap().into_iter().map(Option::unwrap);
+    let alone = (0..).map(|member| torqued().after(&begin(member), 0.04, 100).unwrap().momentum);
+    together.zip(alone).collect()
+}
+
+/// At one time lanes have the bits of single runs. At times of their own a step is divided at the breakpoints of each lane, and
+/// the results differ by the errors of the method.
+#[test]
+fn lanes_see_their_own_sides_of_each_jump() {
+    for (together, alone) in ends_in_lanes(0.0) {
+        assert_eq!(together, alone);
+    }
+    for (together, alone) in ends_in_lanes(0.03) {
+        assert!((together.0.0 - alone.0.0).norm() < 1e-8, "{together:?} {alone:?}");
+        assert!((together.1.0 - alone.1.0).abs() < 1e-13);
+    }
+}
+
+/// The suite makes 1036 steps, which the tables have to cover.
+#[test]
+fn the_laws_of_integrators_hold() {
+    for interpolation in INTERPOLATIONS {
+        let torqued =
+            Torqued::new(orbits(), torque(interpolation)).with_substeps(Substeps::suzuki4());
+        laws::integrator(&torqued, &[start()], 0.004).unwrap().check(1e-13).unwrap();
     }
 }
