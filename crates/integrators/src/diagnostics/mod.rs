@@ -23,21 +23,18 @@ mod form_defects;
 mod step_map;
 mod reversibility;
 mod fibre_defects;
-mod drift;
-mod balance;
-mod invariant_size;
-mod ensemble_growth;
+mod conservation;
 mod accuracy;
 
 pub use accuracy::{
     NoOrder, RunAccuracy, StepCheck, SystemScales, check_by_half_steps, run_accuracy,
 };
-pub use balance::Balance;
-pub use drift::{Drift, DriftError};
-pub use ensemble_growth::EnsembleGrowth;
+pub use conservation::balance::Balance;
+pub use conservation::drift::{Drift, DriftError};
+pub use conservation::ensemble_growth::EnsembleGrowth;
+pub use conservation::invariant_size::InvariantSize;
 pub use fibre_defects::{FibreDefects, fibre_defects};
 pub use form_defects::{poisson_defect, symplecticity_defect};
-pub use invariant_size::InvariantSize;
 pub use order_fit::{OrderFitError, fitted_order};
 pub use reversibility::reversibility_defect;
 pub use step_map::{StepMapError, step_map, step_poisson_defect, step_symplecticity_defect};

@@ -7,12 +7,12 @@ use lie_poisson::{Real, State};
 /// The size of a state, in bytes, above which there is nothing to gain.
 const LARGEST: usize = 512;
 
-/// The coefficients of an explicit method with the stages k_i = f(z + h a_i k_{i−1}), such as the classical one of order 4.
+/// The coefficients of an explicit method with the stages `k_i = f(z + h a_i k_(i−1))`, such as the classical one of order 4.
 ///
-/// Each a_i is a power of two, so that a step has the bits of the general way through the stages.
+/// Each `a_i` is a power of two, so that a step has the bits of the general way through the stages.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Ladder {
-    /// The pairs (a_i, b_i); the first a_i is 0.
+    /// The pairs `(a_i, b_i)`; the first `a_i` is 0.
     rungs: Vec<(f64, f64)>,
 }
 
@@ -31,7 +31,7 @@ impl Ladder {
         Some(Self { rungs: rungs.collect() })
     }
 
-    /// Returns Σ_i b_i k_i; `None` for states that are large or on the heap.
+    /// Returns Σ `b_i k_i`; `None` for states that are large or on the heap.
     ///
     /// The field is called at one place, to be inlined there: z, a stage and the sum of a small state stay in registers.
     #[cfg_attr(optimised, inline(always))]

@@ -7,6 +7,6 @@ mod driven_orders;
 mod inputs;
 mod poisson_steps;
 mod torques;
-mod balances;
+mod laws_of_balance;
 mod ready_torques;
 mod tabulated_torques;

@@ -1,6 +1,7 @@
 //! The growth of round-off over an ensemble of runs: [`EnsembleGrowth`].
 
-use super::{DriftError, fitted_order};
+use crate::diagnostics::conservation::drift::DriftError;
+use crate::diagnostics::order_fit::fitted_order;
 
 /// The root mean square deviation of a conserved quantity over an ensemble of runs, and its growth with time.
 ///

@@ -1,6 +1,6 @@
 //! The change of a conserved quantity along a run: [`Drift`].
 
-use super::OrderFitError;
+use crate::diagnostics::order_fit::OrderFitError;
 use crate::error::IntegrationError;
 use crate::integrators::trajectories::sample::Sample;
 use lie_poisson::larger;
