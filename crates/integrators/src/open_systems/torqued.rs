@@ -86,8 +86,9 @@ pub trait TorqueFlow<V: State> {
 /// A momentum then contains the time, as those of [`Driven`](crate::Driven) do. A step that contains a
 /// [breakpoint](TorqueFlow::next_break) of the torque is divided there, and each part is made of all substeps, so that the
 /// order is kept. A [`Composition`](crate::Composition) divides each of its substeps alone, and a step of it across a
-/// breakpoint has an error of the order of the third power of the step, whatever its order is. Breakpoints of the field of
-/// the integrator divide the step on the orbit alone: a torque that tells them too divides the whole step.
+/// breakpoint has an error of the order of the third power of the step, whatever its order is. Breakpoints of the field or of
+/// another torque within the integrator divide the integrator's own steps alone: a torque that jumps comes last, around those
+/// that do not, and torques that jump are one [table](crate::TabulatedTorque).
 ///
 /// Source: Strang, *On the construction and comparison of difference schemes*, SIAM J. Numer. Anal. 5 (1968).
 ///

@@ -9,7 +9,7 @@ use lie_poisson::{Real, State};
 ///
 /// Its flow μᵢ ↦ exp(−cᵢ h) μᵢ is exact for any h, and its inverse for −h. The rates have the type `D` over the numbers `f64`,
 /// and as many coordinates as a momentum; for momenta (μ, t) with the time they are `Pair(c, Time(0.0))`, which leaves the
-/// time as it is. With equal rates every Casimir of degree k decays as exp(−kct). Friction in other axes than those of the
+/// time as it is. With equal rates every Casimir that is homogeneous of degree k decays as exp(−kct). Friction in other axes than those of the
 /// coordinates is [`ViscousMatrix`](crate::ViscousMatrix).
 ///
 /// The friction acts on the momentum. One that is proportional to the velocity ξ = dh(μ), −D dh, is of this kind if h is

@@ -4,7 +4,7 @@ use super::ready_torques::{Body, orders};
 use collective_integrators::diagnostics::fitted_order;
 use collective_integrators::{
     Composition, Driven, Ensemble, Laned, RungeKutta, Start, StepError, Substeps, TabulatedTorque,
-    TorqueError, TorqueFlow, Torqued, laws,
+    TorqueError, TorqueFlow, Torqued, ViscousTorque, laws,
 };
 use lie_poisson::{
     Automatic, Autonomous, Covector, InputTable, InputTableError, Interpolation, Pair, Time,
@@ -47,13 +47,19 @@ fn start() -> Timed {
 
 /// Returns Π(4) by Runge–Kutta's method with many steps between any two times of the tables.
 fn reference(interpolation: Interpolation) -> Vector3<f64> {
+    reference_with_friction(interpolation, &Vector3::zeros())
+}
+
+/// The same with viscous friction, by its rates
+fn reference_with_friction(interpolation: Interpolation, friction: &Vector3<f64>) -> Vector3<f64> {
     let (mut pi, times) = (start().0.0, [0.0, 0.71, 1.27, 1.93, 2.9, 4.0]);
     let tables = tables(interpolation, 1.0);
     for pair in times.windows(2) {
         let (middle, h) = (0.5 * (pair[0] + pair[1]), (pair[1] - pair[0]) / 4096.0);
         let rate = |pi: Vector3<f64>, time: f64| {
             let inputs = [0, 1].map(|i| TORQUES[i] * tables[i].continued(middle, time));
-            pi.cross(&pi.component_div(&Vector3::new(2.0, 1.5, 1.0))) + inputs[0] + inputs[1]
+            let turned = pi.cross(&pi.component_div(&Vector3::new(2.0, 1.5, 1.0)));
+            turned + inputs[0] + inputs[1] - friction.component_mul(&pi)
         };
         for step in 0..4096 {
             let time = pair[0] + f64::from(step) * h;
@@ -98,6 +104,23 @@ fn breakpoints_keep_the_orders_two_four_and_six() {
             );
         }
     }
+}
+
+/// The torque that jumps comes last, around the others, so that the steps of all are divided.
+#[test]
+fn friction_within_a_torque_that_jumps_keeps_the_order() {
+    let (rates, interpolation) = (Vector3::new(0.05, 0.2, 0.1), Interpolation::Constant);
+    let exact = reference_with_friction(interpolation, &rates);
+    let friction = || ViscousTorque::new(Pair(rates, Time(0.0))).unwrap();
+    let last = Torqued::new(Torqued::new(orbits(), friction()), torque(interpolation))
+        .with_substeps(Substeps::yoshida6());
+    let (found, errors) = order(&last, &exact, &[20, 30, 40]);
+    assert!((found - 6.0).abs() < 0.6, "{found} {errors:?}");
+    // Control: steps of the friction across the jumps
+    let first = Torqued::new(Torqued::new(orbits(), torque(interpolation)), friction())
+        .with_substeps(Substeps::suzuki4());
+    let (found, crossing) = order(&first, &exact, &[21, 43, 87]);
+    assert!(found < 3.0, "{found} {crossing:?}");
 }
 
 /// A torque that tells no breakpoints, and acts at each time as the table says.
