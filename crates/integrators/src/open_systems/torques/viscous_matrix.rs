@@ -38,28 +38,30 @@ impl ViscousMatrix {
     ///
     /// # Errors
     /// Returns [`TorqueError::NotFiniteEntry`] if an entry is NaN or infinite, [`TorqueError::NotSymmetric`] if two entries
-    /// across the diagonal differ by more than rounding errors, and [`TorqueError::Rate`] if an eigenvalue is negative.
+    /// across the diagonal differ by more than rounding errors of the largest one, and [`TorqueError::Rate`] if an
+    /// eigenvalue is negative.
     pub fn new<const N: usize>(matrix: &SMatrix<f64, N, N>) -> Result<Self, TorqueError> {
-        let mut largest = 0.0_f64;
-        for (row, column) in (0..N).flat_map(|row| (0..=row).map(move |column| (row, column))) {
+        let places = || (0..N).flat_map(|row| (0..N).map(move |column| (row, column)));
+        if let Some(place) = places().find(|place| !matrix[*place].is_finite()) {
+            let (row, column, number) = (place.0 + 1, place.1 + 1, matrix[place]);
+            return Err(TorqueError::NotFiniteEntry { row, column, number });
+        }
+        let largest = places().fold(0.0_f64, |largest, place| largest.max(matrix[place].abs()));
+        for (row, column) in places().filter(|(row, column)| column < row) {
             let (entry, across) = (matrix[(row, column)], matrix[(column, row)]);
-            let place = (row + 1, column + 1);
-            for (number, (row, column)) in [(entry, place), (across, (place.1, place.0))] {
-                if !number.is_finite() {
-                    return Err(TorqueError::NotFiniteEntry { row, column, number });
-                }
-            }
-            largest = largest.max(entry.abs());
-            if (entry - across).abs() > ROUNDING * (entry.abs() + across.abs()) {
-                let (row, column) = place;
+            if (entry / largest - across / largest).abs() > ROUNDING {
+                let (row, column) = (row + 1, column + 1);
                 return Err(TorqueError::NotSymmetric { row, column, entry, across });
             }
         }
         if largest == 0.0 {
             return Ok(Self { rates: vec![0.0; N], axes: DMatrix::identity(N, N) });
         }
-        // The numbers of a matrix without a unit have squares.
-        let scaled = DMatrix::from_fn(N, N, |row, column| matrix[(row, column)] / largest);
+        // Eigenvectors need squares, which the entries themselves may not have.
+        let scaled = DMatrix::from_fn(N, N, |row, column| {
+            let [entry, across] = [(row, column), (column, row)].map(|at| matrix[at] / largest);
+            0.5 * (entry + across)
+        });
         let eigen = scaled.symmetric_eigen();
         let mut order: Vec<_> = (0..N).collect();
         order.sort_by(|i, j| eigen.eigenvalues[*i].total_cmp(&eigen.eigenvalues[*j]));
@@ -83,7 +85,7 @@ impl ViscousMatrix {
     }
 }
 
-/// The rounding errors of an entry or an eigenvalue, relative to its largest size.
+/// The rounding errors of an entry or an eigenvalue, relative to the largest entry.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl<V: State> TorqueFlow<V> for ViscousMatrix {

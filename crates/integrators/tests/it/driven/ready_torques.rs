@@ -9,7 +9,7 @@ use lie_poisson::{
     Automatic, Autonomous, Covector, Energy, LiePoisson, Pair, Point, Real, So3, Time,
 };
 use momentum_map::{HOPF, HopfRealisation};
-use nalgebra::{Matrix2, Matrix3, Rotation3, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix3, Matrix4, Rotation3, Vector2, Vector3};
 
 type Spin = Covector<Vector3<f64>>;
 
@@ -141,7 +141,6 @@ fn torques_are_added_one_after_the_other() {
         (Vector3::new(0.1, -0.2, 0.3), Rotation3::new(Vector3::new(0.4, 0.9, -0.5)));
     let rates = Vector3::new(0.05, 0.2, 0.1);
     let friction = axes.matrix() * Matrix3::from_diagonal(&rates) * axes.matrix().transpose();
-    let friction = (friction + friction.transpose()) * 0.5;
     let exact = with_motor(&motor, &friction);
     let both = |friction: &Matrix3<f64>| {
         let viscous = Torqued::new(midpoint(), ViscousMatrix::new(friction).unwrap());
@@ -164,7 +163,7 @@ fn friction_in_turned_axes_decays_along_each() {
     let axes = Rotation3::new(Vector3::new(0.4, 0.9, -0.5));
     for rates in [Vector3::new(0.0, 1.0, 7.0), Vector3::new(2.0, 2.0, 1e-9), Vector3::zeros()] {
         let matrix = axes.matrix() * Matrix3::from_diagonal(&rates) * axes.matrix().transpose();
-        let viscous = ViscousMatrix::new(&((matrix + matrix.transpose()) * 0.5)).unwrap();
+        let viscous = ViscousMatrix::new(&matrix).unwrap();
         let mut pi = start();
         viscous.flow(&mut pi, 0.5).unwrap();
         let along = axes.inverse() * start().0;
@@ -176,6 +175,12 @@ fn friction_in_turned_axes_decays_along_each() {
         viscous.flow(&mut pi, -0.5).unwrap();
         assert!((pi.0 - start().0).norm() < 1e-13);
     }
+    // Control: more than rounding errors are not symmetric.
+    let mut skew = Matrix3::identity();
+    skew[(0, 1)] = 1e-14;
+    assert!(ViscousMatrix::new(&skew).is_err());
+    skew[(0, 1)] = 1e-15;
+    assert!(ViscousMatrix::new(&skew).is_ok());
     // No friction changes no digit.
     let mut pi = start();
     ViscousMatrix::new(&Matrix3::zeros()).unwrap().flow(&mut pi, 1.0).unwrap();
@@ -192,6 +197,12 @@ fn the_time_stays_as_it_is() {
     let timed = Torqued::new(Torqued::new(orbits(), viscous), constant);
     let Pair(end, time) = timed.after(&Pair(start(), Time(0.0)), 0.1, 40).unwrap().momentum;
     assert!((time.0 - 4.0).abs() < 1e-14);
+    let matrix = Matrix4::new(
+        0.2, 0.1, 0.0, 0.0, 0.1, 0.3, -0.1, 0.0, 0.0, -0.1, 0.1, 0.0, 0.0, 0.0, 0.0, 0.0,
+    );
+    let mut late = Pair(start(), Time(12345.678));
+    ViscousMatrix::new(&matrix).unwrap().flow(&mut late, 3.0).unwrap();
+    assert!(late.1 == Time(12345.678) && late.0.0.norm() < 0.9 * start().0.norm());
     let plain = Torqued::new(midpoint(), ViscousTorque::new(rates).unwrap());
     let plain = Torqued::new(plain, ConstantTorque::new(Covector(motor)).unwrap());
     assert!((end.0 - plain.after(&start(), 0.1, 40).unwrap().momentum.0).norm() < 1e-13);
