@@ -87,7 +87,7 @@ pub fn steps_and_schemes() -> Vec<String> {
         refused(torqued.step(&across, 0.1, &mut torqued.workspace())),
         refused(ConstantTorque::new(Vector1::new(f64::NAN))),
         refused(TabulatedTorque::new(vec![(Vector1::new(f64::INFINITY), table)])),
-        refused(ViscousTorque::new(Vector1::new(-1.0))),
+        refused(ViscousTorque::new(Vector1::new(-1.0_f64))),
         refused(ViscousMatrix::new(&Matrix2::new(1.0, 0.0, 0.0, f64::NAN))),
         refused(ViscousMatrix::new(&Matrix2::new(1.0, 0.5, 0.0, 1.0))),
         refused(BrownianPaths::new(1, 0.0)),
