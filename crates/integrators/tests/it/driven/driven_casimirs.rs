@@ -218,6 +218,14 @@ fn fields_keep_the_casimirs_of_tops_that_spin() {
 
 #[test]
 #[ignore = "takes minutes"]
+fn fields_keep_the_casimirs_of_tops_that_spin_many_times() {
+    let found = deviations_of_tops_that_spin(1_000_000);
+    println!("{found:?}");
+    assert!(found.iter().all(|deviation| *deviation < 1e-12), "{found:?}");
+}
+
+#[test]
+#[ignore = "takes minutes"]
 fn double_brackets_keep_the_casimirs_many_times() {
     let found = deviations_with_double_brackets(1_000_000);
     println!("{found:?}");
