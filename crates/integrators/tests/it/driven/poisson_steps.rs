@@ -4,11 +4,12 @@ use collective_integrators::diagnostics::step_poisson_defect;
 use collective_integrators::{Direct, Driven, DrivenField, RungeKutta, Start};
 use core::marker::PhantomData;
 use lie_poisson::{
-    Automatic, Controlled, Covector, DoubleBracket, DualNumber, Energy, InTime, InnerProduct,
-    LieAlgebra, LiePoisson, Momentum, OrbitField, Pair, Point, Power, PowerAlgebra, ProductSpace,
-    Real, So3, State, Time, TimeAxis, TimeDependent, Vector, WithBreakpoints,
+    Automatic, Controlled, Covector, Diagonal, DoubleBracket, DualNumber, Energy, InTime,
+    InfinitesimalAdjoint, InnerProduct, LieAlgebra, LiePoisson, Momentum, OrbitField, Pair, Point,
+    Power, PowerAlgebra, ProductSpace, Real, Se3, So3, State, Time, TimeAxis, TimeDependent,
+    Vector, WithBreakpoints,
 };
-use momentum_map::{HOPF, Lift, PowerMap};
+use momentum_map::{HOPF, Lift, PoissonMap, PowerMap, Side, clebsch_realisation};
 use nalgebra::Vector3;
 
 /// A quadratic and cubic energy on the dual of any algebra, each term of which oscillates with time.
@@ -103,4 +104,21 @@ fn steps_of_a_spin_are_poisson_maps_for_energies_alone() {
 fn steps_of_two_spins_are_poisson_maps_for_energies_alone() {
     let two = Power([Vector3::new(0.48, -0.6, 0.64), Vector3::new(0.1, 0.5, -0.4)]);
     require_poisson_steps::<_, PowerAlgebra<So3, 2>>(PowerMap::<_, 2>(HOPF), Covector(two));
+}
+
+/// On se(3)∗, at a momentum with Π·Γ ≠ 0, by the Clebsch map of two copies of the adjoint representation.
+#[test]
+fn steps_of_a_top_are_poisson_maps_for_energies_alone() {
+    let copies = Diagonal::<_, 2>(InfinitesimalAdjoint(Se3::default()));
+    let map = clebsch_realisation(copies, Side::Right).unwrap();
+    let mu = Covector(Pair(Vector3::new(0.4, 0.2, 0.75), Vector3::new(0.6, 0.0, 0.8)));
+    let midpoint = RungeKutta::implicit_midpoint;
+    let of_energy = Driven::new(midpoint(), map.clone(), oscillating::<Se3>());
+    let found = defect(Se3::default(), mu, &of_energy);
+    assert!(found < ROUND_OFF, "{found}");
+    // Control: a double bracket.
+    let damped =
+        DoubleBracket::new(map.target(), oscillating::<Se3>(), 0.1, InnerProduct::euclidean());
+    let found = defect(Se3::default(), mu, &Driven::new(midpoint(), map, damped.unwrap()));
+    assert!(found > 1e-2, "{found}");
 }
