@@ -3,6 +3,7 @@
 
 mod chaos;
 mod driven;
+mod torques;
 mod laws;
 mod noisy;
 mod runs;

@@ -6,7 +6,3 @@ mod damped_spins;
 mod driven_orders;
 mod inputs;
 mod poisson_steps;
-mod torques;
-mod laws_of_balance;
-mod ready_torques;
-mod tabulated_torques;
