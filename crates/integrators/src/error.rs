@@ -50,6 +50,18 @@ pub enum StepError {
         "the state is not finite after the step: the motion goes to infinity there, or the step is too long"
     )]
     NotFinite,
+    /// The steps of the lanes of a register would be divided at different places, since their breakpoints are at different
+    /// distances. [`Laned`](crate::Laned) makes such steps one by one.
+    #[error(
+        "the next breakpoints of the lanes are between {first} and {last} away, so that no division of the step is that \
+         of each lane"
+    )]
+    BreakpointsApart {
+        /// The shortest distance of a lane from its next breakpoint.
+        first: f64,
+        /// The longest one; ∞ if a lane has none.
+        last: f64,
+    },
     /// A torque has taken the momentum to a value that no state represents.
     #[error("the torque takes the momentum to a value that no state represents: {reason}")]
     NoLift {

@@ -26,9 +26,8 @@ const TRIAL_STEPS: u64 = 8;
 /// over all scalars is suitable. Each member is bit-identical to its [trajectory](Integrator::trajectory_from) over
 /// `f64`, for all instruction sets and all neighbours: operations on lanes round as operations on `f64` do, and an
 /// iteration stops in each lane by itself. If an integrator has other formulas over `f64`, such as a fused kernel, its
-/// steps over `f64` differ by rounding from those over lanes. Even then, the neighbours do not matter. They matter, within the
-/// errors of the method, if a field has [breakpoints](lie_poisson::OrbitField::next_break) and the members different times: see
-/// [`Driven`](crate::Driven).
+/// steps over `f64` differ by rounding from those over lanes. Even then, the neighbours do not matter. Members of a field with
+/// [breakpoints](lie_poisson::OrbitField::next_break) that come at different times are advanced one by one.
 ///
 /// The steps are made in blocks that end at the multiples of [`CHECKPOINT`](crate::CHECKPOINT). If a step of some lane
 /// fails, or needs Newton's iteration in wide registers, the block is repeated from its start: first with four members

@@ -29,9 +29,8 @@ type MapInTime<M> = ProductMap<M, Identity<TimeAxis>>;
 ///
 /// A momentum of this integrator is (μ, t) and a state (z, t): the time is a coordinate, at which stages are evaluated, and which
 /// event functions see. A start has the time at which the run begins. A step that contains a [breakpoint](OrbitField::next_break)
-/// of the field is divided there. In [lanes](crate::Laned) the step of all members is divided at the breakpoints of each: members
-/// that begin at one time have the bits of single runs, and those that begin at different times the errors of shorter steps. In a
-/// run of many steps the time is best summed with [`compensated`](Self::compensated).
+/// of the field is divided there. In [lanes](crate::Laned) members whose breakpoints come at different times are advanced one by
+/// one. In a run of many steps the time is best summed with [`compensated`](Self::compensated).
 ///
 /// Source: McLachlan, Modin & Verdier, *Collective symplectic integrators*, Nonlinearity 27 (2014), for ξ = dh.
 ///

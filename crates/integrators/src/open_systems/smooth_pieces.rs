@@ -28,10 +28,9 @@ impl<T: Real> Window<T> {
 /// before it. Calls `piece` for each part with its window, the time since the beginning of the step, and its size. Returns the
 /// sum of what it returns.
 ///
-/// If lanes have different times, the step of all is divided at the breakpoints of each.
-///
 /// # Errors
-/// That of the part that fails.
+/// That of the part that fails; [`StepError::BreakpointsApart`] if the step would be divided at different places in different
+/// lanes, since then no division is that of each lane alone.
 #[cfg_attr(optimised, inline(always))]
 pub(super) fn smooth_pieces<T: Real>(
     time: T,
@@ -41,7 +40,7 @@ pub(super) fn smooth_pieces<T: Real>(
 ) -> Result<usize, StepError> {
     let (mut elapsed, mut iterations) = (0.0, 0);
     loop {
-        let Part { window, size, is_last } = next_part(time, step, elapsed, &next_break);
+        let Part { window, size, is_last } = next_part(time, step, elapsed, &next_break)?;
         // In wide registers the field has to be called at one place, to be inlined there.
         iterations += piece(window, elapsed, size)?;
         if is_last {
@@ -65,35 +64,43 @@ fn next_part<T: Real>(
     step: f64,
     elapsed: f64,
     next_break: &impl Fn(f64, bool) -> Option<f64>,
-) -> Part<T> {
+) -> Result<Part<T>, StepError> {
     let forward = step >= 0.0;
     let slack = SLACK * step.abs();
     let beyond = slack.copysign(step);
     // Without a breakpoint from here on, as of most fields, there is nothing to divide.
     if elapsed == 0.0
-        && first_break(time, 0.0, &|time| next_break(time - beyond, forward)) == f64::INFINITY
+        && first_breaks(time, 0.0, &|time| next_break(time - beyond, forward)).0 == f64::INFINITY
     {
-        return Part { window: Window::ALL, size: step, is_last: true };
+        return Ok(Part { window: Window::ALL, size: step, is_last: true });
     }
     let left = (step - elapsed).abs();
-    let distance = first_break(time, elapsed, &|time| next_break(time + beyond, forward));
+    let (distance, most) = first_breaks(time, elapsed, &|time| next_break(time + beyond, forward));
     let is_last = distance + slack >= left;
+    if !is_last && distance < most {
+        return Err(StepError::BreakpointsApart { first: distance, last: most });
+    }
     let size = if is_last { step - elapsed } else { distance.copysign(step) };
     let window = window(time, (elapsed, elapsed + size), slack, next_break);
-    Part { window, size, is_last }
+    Ok(Part { window, size, is_last })
 }
 
-/// Returns the shortest distance in any lane from a time after `elapsed` to the next breakpoint; ∞ if there is none.
+/// Returns the shortest and the longest distance in any lane from a time after `elapsed` to the next breakpoint; ∞ if there is
+/// none.
 #[inline]
-fn first_break<T: Real>(time: T, elapsed: f64, next_break: &impl Fn(f64) -> Option<f64>) -> f64 {
-    let mut shortest = f64::INFINITY;
+fn first_breaks<T: Real>(
+    time: T,
+    elapsed: f64,
+    next_break: &impl Fn(f64) -> Option<f64>,
+) -> (f64, f64) {
+    let (mut shortest, mut longest) = (f64::INFINITY, 0.0_f64);
     let _ = time.lane_by_lane(time, |time, _| {
         let now = time + elapsed;
         let distance = next_break(now).map_or(f64::INFINITY, |next| (next - now).abs());
-        shortest = shortest.min(distance);
+        (shortest, longest) = (shortest.min(distance), longest.max(distance));
         distance
     });
-    shortest
+    (shortest, longest)
 }
 
 /// Returns the window of the part of a step between two times after its beginning.
