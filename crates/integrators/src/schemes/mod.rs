@@ -1,7 +1,7 @@
 //! One-step methods for any vector field.
 
 pub(crate) mod scheme;
-pub(crate) mod explicit_step;
+pub(crate) mod ladder;
 pub(crate) mod refinement;
 pub(crate) mod runge_kutta;
 pub(crate) mod stage_equations;

@@ -6,7 +6,7 @@ use crate::iteration::convergence::is_finite;
 use crate::iteration::stage_rows::{StageColumns, StageRows};
 use crate::iteration::stage_scale::StageScale;
 use crate::iteration::stage_solver::{StageSolver, Unconverged, fit, set_combination};
-use crate::schemes::explicit_step::Ladder;
+use crate::schemes::ladder::Ladder;
 use crate::schemes::refinement::Refinement;
 use crate::schemes::scheme::{Equivariant, Increment, Scheme, Step};
 use crate::schemes::stage_equations::{Stages, is_plain_and_small};

@@ -1,30 +1,16 @@
 //! That quantities change by what torques and frictions supply.
 
+use super::support::{Body, Spin, start};
 use collective_integrators::diagnostics::{Balance, fitted_order};
 use collective_integrators::{
     Collective, Composition, Direct, Driven, RungeKutta, Start, StepError, Substeps, TorqueFlow,
     Torqued, from_fn,
 };
 use lie_poisson::{
-    Automatic, Autonomous, Covector, DoubleBracket, Energy, InnerProduct, LiePoisson, Pair, Point,
-    Real, So3, Time,
+    Automatic, Autonomous, Covector, DoubleBracket, InnerProduct, LiePoisson, Pair, So3, Time,
 };
 use momentum_map::HOPF;
 use nalgebra::Vector3;
-
-type Spin = Covector<Vector3<f64>>;
-
-/// A free rigid body with the moments (2, 3/2, 1).
-#[derive(Clone, Copy)]
-struct Body;
-
-impl Energy for Body {
-    type Space = LiePoisson<So3>;
-
-    fn energy<T: Real>(&self, Covector(pi): &Point<Self::Space, T>) -> T {
-        (pi.x * pi.x / 2.0 + pi.y * pi.y / 1.5 + pi.z * pi.z) * 0.5
-    }
-}
 
 fn omega(Covector(pi): &Spin) -> Vector3<f64> {
     pi.component_div(&Vector3::new(2.0, 1.5, 1.0))
@@ -57,10 +43,9 @@ impl TorqueFlow<Spin> for Motor {
 
 /// Returns the order with which the defects of |Π|² and of the energy go to 0, and the finest of them.
 fn orders<I: Start<Momentum = Spin>>(integrator: &I, counts: &[u64]) -> [(f64, Balance); 2] {
-    let start = Covector(Vector3::new(1.0, 2.0, 0.5));
     let run = |of: &dyn Fn(&Spin) -> f64, rate: &dyn Fn(&Spin) -> f64| {
         let balances = counts.iter().map(|&count| {
-            let (step, state) = (4.0 / count as f64, integrator.start(&start).unwrap());
+            let (step, state) = (4.0 / count as f64, integrator.start(&start()).unwrap());
             let found = Balance::of_run(integrator, state, (step, count), of, rate).unwrap();
             (step, found)
         });
@@ -77,7 +62,7 @@ fn orders<I: Start<Momentum = Spin>>(integrator: &I, counts: &[u64]) -> [(f64, B
 fn a_torque_supplies_the_changes_to_the_order_of_the_method() {
     let strang = || {
         let midpoint = RungeKutta::implicit_midpoint();
-        Torqued::new(Collective::new(midpoint, HOPF, Automatic(Body)), Motor)
+        Torqued::new(Collective::new(midpoint, HOPF, Automatic(Body { unit: 1.0 })), Motor)
     };
     let of = |substeps| Composition::new(strang(), substeps);
     let found = [
@@ -99,7 +84,12 @@ fn a_torque_supplies_the_changes_to_the_order_of_the_method() {
 fn a_double_bracket_loses_the_energy_that_it_should() {
     const FRICTION: f64 = 0.3;
     let (space, inner_product) = (LiePoisson::minus(So3), InnerProduct::euclidean());
-    let field = DoubleBracket::new(space, Autonomous(Automatic(Body)), FRICTION, inner_product);
+    let field = DoubleBracket::new(
+        space,
+        Autonomous(Automatic(Body { unit: 1.0 })),
+        FRICTION,
+        inner_product,
+    );
     let gauss = Driven::new(RungeKutta::gauss(3).unwrap(), HOPF, field.unwrap());
     let start = Pair(Covector(Vector3::new(1.0, 2.0, 0.5)), Time(0.0));
     let run = |quantity: &dyn Fn(&Spin) -> f64, rate: &dyn Fn(&Spin) -> f64| {

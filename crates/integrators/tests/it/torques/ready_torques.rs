@@ -1,63 +1,18 @@
 //! Constant and viscous torques against closed forms.
 
-use collective_integrators::diagnostics::fitted_order;
+use super::support::{Body, order, orders, start};
 use collective_integrators::{
     Collective, Composition, ConstantTorque, Driven, RungeKutta, Start, StepError, Substeps,
     TorqueError, TorqueFlow, Torqued, ViscousMatrix, ViscousTorque,
 };
-use lie_poisson::{
-    Automatic, Autonomous, Covector, Energy, LiePoisson, Pair, Point, Real, So3, Time,
-};
+use lie_poisson::{Automatic, Autonomous, Covector, Pair, Time};
 use momentum_map::{HOPF, HopfRealisation};
 use nalgebra::{Matrix2, Matrix3, Matrix4, Rotation3, Vector2, Vector3};
-
-type Spin = Covector<Vector3<f64>>;
-
-/// A body with the moments of inertia 2, 3/2 and 1, in units of its own.
-#[derive(Clone, Copy)]
-pub(super) struct Body {
-    pub(super) unit: f64,
-}
-
-impl Energy for Body {
-    type Space = LiePoisson<So3>;
-
-    fn energy<T: Real>(&self, Covector(pi): &Point<Self::Space, T>) -> T {
-        (pi.x * pi.x / 2.0 + pi.y * pi.y / 1.5 + pi.z * pi.z) * (0.5 * self.unit)
-    }
-}
 
 const BODY: Automatic<Body> = Automatic(Body { unit: 1.0 });
 
 fn midpoint() -> Collective<RungeKutta, HopfRealisation, Automatic<Body>> {
     Collective::new(RungeKutta::implicit_midpoint(), HOPF, BODY)
-}
-
-fn start() -> Spin {
-    Covector(Vector3::new(1.0, 2.0, 0.5))
-}
-
-/// Returns the order of a method by its errors at t = 4, and the errors.
-fn order<I: Start<Momentum = Spin>>(
-    integrator: &I,
-    exact: &Vector3<f64>,
-    counts: &[u64],
-) -> (f64, Vec<(f64, f64)>) {
-    let errors = counts.iter().map(|&count| {
-        let step = 4.0 / count as f64;
-        (step, (integrator.after(&start(), step, count).unwrap().momentum.0 - exact).norm())
-    });
-    let errors: Vec<_> = errors.collect();
-    (fitted_order(&errors, 1e-14).unwrap(), errors)
-}
-
-/// Returns the fractions of the substeps of each order, and numbers of steps to measure it.
-pub(super) fn orders() -> [(f64, Option<Substeps>, [u64; 3]); 3] {
-    [
-        (2.0, None, [40, 80, 160]),
-        (4.0, Some(Substeps::suzuki4()), [20, 40, 80]),
-        (6.0, Some(Substeps::yoshida6()), [20, 30, 40]),
-    ]
 }
 
 /// With equal rates c, Π(t) = exp(−ct) Π₀((1 − exp(−ct))/c), where Π₀ is the motion without friction.

@@ -1,6 +1,6 @@
 //! Torques by tables, whose breakpoints divide steps.
 
-use super::ready_torques::{Body, orders};
+use super::support::{Body, orders};
 use collective_integrators::diagnostics::fitted_order;
 use collective_integrators::{
     Composition, Driven, Ensemble, Laned, RungeKutta, Start, StepError, Substeps, TabulatedTorque,

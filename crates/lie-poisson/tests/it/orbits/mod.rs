@@ -3,4 +3,5 @@
 mod controls;
 mod input_tables;
 mod orbit_fields;
+mod faulty_fields;
 mod spin_damping;
