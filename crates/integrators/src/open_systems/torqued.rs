@@ -128,12 +128,14 @@ impl<I, F> Torqued<I, F> {
     /// A spin that a motor turns faster about e₃ until t = 1: its angle goes on as t²/2, and then as t − ½.
     /// ```
     /// use collective_integrators::{Driven, RungeKutta, Start, Substeps, TabulatedTorque, Torqued};
-    /// use lie_poisson::{Autonomous, Covector, InputTable, Interpolation, LiePoisson, Pair, So3, Time, from_closure};
+    /// use lie_poisson::{
+    ///     Autonomous, Covector, InputTable, Inputs, Interpolation, LiePoisson, Pair, So3, Time, from_closure,
+    /// };
     /// use momentum_map::HOPF;
     /// use nalgebra::Vector3;
     /// let h = from_closure::<LiePoisson<So3>, _>(|Covector(pi)| pi.z * pi.z * 0.5);
     /// let input = InputTable::new(vec![0.0, 1.0, 2.0], vec![1.0, 0.0, 0.0], Interpolation::Constant)?;
-    /// let motor = TabulatedTorque::new(vec![(Covector(Vector3::<f64>::z()), input)])?;
+    /// let motor = TabulatedTorque(Inputs::new(vec![(Covector(Vector3::<f64>::z()), input)])?);
     /// let orbits = Driven::new(RungeKutta::implicit_midpoint(), HOPF, Autonomous(h));
     /// let body = Torqued::new(orbits, motor).with_substeps(Substeps::yoshida6());
     /// let start = Pair(Covector(Vector3::x()), Time(0.0));

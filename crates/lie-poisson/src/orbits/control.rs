@@ -4,16 +4,16 @@ use crate::brackets::poisson::PoissonSpace;
 use crate::orbits::breakpoints::nearest;
 use crate::orbits::input_table::{InputTable, InputTableError};
 use crate::orbits::orbit_field::OrbitField;
-use generic_scalars::{Differential, Point, Real, Vector, map_coordinates};
+use generic_scalars::{Differential, Point, Real, State, Vector, map_coordinates};
 use thiserror::Error;
 
-/// The reason why elements of a Lie algebra are not those of [`Inputs`].
+/// The reason why vectors are not those of [`Inputs`].
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum InputsError {
-    /// A coordinate of an element is not a finite number.
+    /// A coordinate of a vector is not a finite number.
     #[error(
-        "coordinate {coordinate} of the element of input {input} is {number}, which is not a finite number"
+        "coordinate {coordinate} of the vector of input {input} is {number}, which is not a finite number"
     )]
     NotFinite {
         /// The input, from 1.
@@ -25,7 +25,9 @@ pub enum InputsError {
     },
 }
 
-/// The field ξ(t) = Σ uᵢ(t) ξᵢ of inputs uᵢ along fixed elements ξᵢ of 𝔤, which have the type `D`.
+/// The sum Σ uᵢ(t) vᵢ of inputs uᵢ along fixed vectors vᵢ, which have the type `D`.
+///
+/// Along elements ξᵢ of 𝔤 it is the field ξ(t) = Σ uᵢ(t) ξᵢ.
 ///
 /// # Example
 /// A pulse that turns a spin about e₁ by a right angle:
@@ -45,20 +47,32 @@ pub struct Inputs<D> {
     inputs: Vec<(D, InputTable)>,
 }
 
-impl<D: Vector<Scalar = f64>> Inputs<D> {
-    /// Creates a field from the element ξᵢ and the table of each input. Without inputs it is 0.
+impl<D: State<Scalar = f64>> Inputs<D> {
+    /// Creates the sum from the vector vᵢ and the table of each input. Without inputs it is 0.
     ///
     /// # Errors
-    /// Returns [`InputsError`] if a coordinate of an element is NaN or infinite.
+    /// Returns [`InputsError`] if a coordinate of a vector is NaN or infinite.
     pub fn new(inputs: Vec<(D, InputTable)>) -> Result<Self, InputsError> {
-        for (place, (element, _)) in inputs.iter().enumerate() {
-            let wrong = (0..D::DIM).find(|i| !element.coordinate(*i).is_finite());
+        for (place, (vector, _)) in inputs.iter().enumerate() {
+            let wrong = (0..vector.dimension()).find(|i| !vector.coordinate(*i).is_finite());
             if let Some(i) = wrong {
-                let (input, coordinate, number) = (place + 1, i + 1, element.coordinate(i));
+                let (input, coordinate, number) = (place + 1, i + 1, vector.coordinate(i));
                 return Err(InputsError::NotFinite { input, coordinate, number });
             }
         }
         Ok(Self { inputs })
+    }
+
+    /// Returns the vector and the table of each input.
+    pub fn iter(&self) -> impl Iterator<Item = &(D, InputTable)> {
+        self.inputs.iter()
+    }
+
+    /// Returns the next time of a table strictly after a time, or strictly before it.
+    #[must_use]
+    pub fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        let breaks = self.iter().map(|(_, table)| table.next_break(time, forward));
+        breaks.fold(None, |one, other| nearest(one, other, forward))
     }
 
     /// Requires that all inputs are known from `begin` to `end`, in either direction of time.
@@ -66,7 +80,7 @@ impl<D: Vector<Scalar = f64>> Inputs<D> {
     /// # Errors
     /// Returns [`InputTableError::Outside`] of the first one that is not.
     pub fn require_until(&self, begin: f64, end: f64) -> Result<(), InputTableError> {
-        self.inputs.iter().try_for_each(|(_, table)| table.require_until(begin, end))
+        self.iter().try_for_each(|(_, table)| table.require_until(begin, end))
     }
 }
 
@@ -78,15 +92,14 @@ where
     T: Real,
 {
     fn element(&self, _: &Point<P, T>, time: T) -> Differential<P, T> {
-        self.inputs.iter().fold(Vector::zero(), |sum: Differential<P, T>, (element, table)| {
+        self.iter().fold(Vector::zero(), |sum: Differential<P, T>, (element, table)| {
             let input = table.at(time);
             sum + map_coordinates(element, |x| input * x)
         })
     }
 
     fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
-        let breaks = self.inputs.iter().map(|(_, table)| table.next_break(time, forward));
-        breaks.fold(None, |one, other| nearest(one, other, forward))
+        Self::next_break(self, time, forward)
     }
 }
 

@@ -5,11 +5,11 @@ use collective_integrators::diagnostics::{Drift, EnsembleGrowth, fitted_order, s
 use collective_integrators::{
     BrownianPaths, Collective, ConstantTorque, DenseOutput, Direct, Direction, Events, FirstHalf,
     Integrator, LyapunovExponents, PartitionedRungeKutta, RungeKutta, StageSolver, Start,
-    StepError, StepParts, Substeps, Tableau, TabulatedTorque, TorqueFlow, Torqued, VectorField,
-    ViscousMatrix, ViscousTorque,
+    StepError, StepParts, Substeps, Tableau, TorqueFlow, Torqued, VectorField, ViscousMatrix,
+    ViscousTorque,
 };
 use heavytop::{HeavyTop, SpinorRealisation};
-use lie_poisson::{DefaultLanes, InputTable, Interpolation, Lanes, Real, Se3Dual};
+use lie_poisson::{DefaultLanes, Lanes, Real, Se3Dual};
 use momentum_map::PARTICLE;
 
 use nalgebra::{Matrix2, Vector1, Vector3};
@@ -74,7 +74,6 @@ pub fn steps_and_schemes() -> Vec<String> {
     let top = HeavyTop::kovalevskaya(1.0, 1.0).unwrap();
     let particle = Collective::new(RungeKutta::implicit_midpoint(), PARTICLE, top);
     let torqued = Torqued::new(particle, AlongGamma);
-    let table = InputTable::new(vec![0.0, 1.0], vec![0.0, 1.0], Interpolation::Linear).unwrap();
     // Lanes at 0, 1/8, …, with a breakpoint at ½.
     let times = DefaultLanes::from_lanes(|lane| 0.125 * lane as f64);
     let next_break = |time: f64, _| (time < 0.5).then_some(0.5);
@@ -96,7 +95,6 @@ pub fn steps_and_schemes() -> Vec<String> {
         refused(torqued.step(&across, 0.1, &mut torqued.workspace())),
         refused(across_a_break),
         refused(ConstantTorque::new(Vector1::new(f64::NAN))),
-        refused(TabulatedTorque::new(vec![(Vector1::new(f64::INFINITY), table)])),
         refused(ViscousTorque::new(Vector1::new(-1.0_f64))),
         refused(ViscousMatrix::new(&Matrix2::new(1.0, 0.0, 0.0, f64::NAN))),
         refused(ViscousMatrix::new(&Matrix2::new(1.0, 0.5, 0.0, 1.0))),

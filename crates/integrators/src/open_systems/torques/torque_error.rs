@@ -15,18 +15,6 @@ pub enum TorqueError {
         /// The number there.
         number: f64,
     },
-    /// A coordinate of the torque of an input is not a finite number.
-    #[error(
-        "coordinate {coordinate} of the torque of input {input} is {number}, which is not a finite number"
-    )]
-    NotFiniteInput {
-        /// The input, from 1.
-        input: usize,
-        /// The coordinate, from 1.
-        coordinate: usize,
-        /// The number there.
-        number: f64,
-    },
     /// A rate of viscous friction is negative, infinite or NaN.
     #[error("a rate of friction is a finite number of at least 0, and rate {coordinate} is {rate}")]
     Rate {

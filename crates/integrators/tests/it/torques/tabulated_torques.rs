@@ -4,10 +4,11 @@ use super::support::{Body, orders};
 use collective_integrators::diagnostics::fitted_order;
 use collective_integrators::{
     Composition, Driven, Ensemble, Laned, RungeKutta, Start, StepError, Substeps, TabulatedTorque,
-    TorqueError, TorqueFlow, Torqued, ViscousTorque, laws,
+    TorqueFlow, Torqued, ViscousTorque, laws,
 };
 use lie_poisson::{
-    Automatic, Autonomous, Covector, InputTable, InputTableError, Interpolation, Pair, Time,
+    Automatic, Autonomous, Covector, InputTable, InputTableError, Inputs, InputsError,
+    Interpolation, Pair, Time,
 };
 use momentum_map::{HOPF, HopfRealisation};
 use nalgebra::{Vector2, Vector3};
@@ -33,7 +34,7 @@ const TORQUES: [Vector3<f64>; 2] = [Vector3::new(1.0, 0.0, 0.4), Vector3::new(0.
 
 fn torque(interpolation: Interpolation) -> TabulatedTorque<Covector<Vector3<f64>>> {
     let inputs = TORQUES.map(Covector).into_iter().zip(tables(interpolation, 1.0));
-    TabulatedTorque::new(inputs.collect()).unwrap()
+    TabulatedTorque(Inputs::new(inputs.collect()).unwrap())
 }
 
 fn orbits() -> Driven<RungeKutta, HopfRealisation, Autonomous<Automatic<Body>>> {
@@ -179,8 +180,8 @@ fn the_order_is_lost_without_division() {
 fn a_held_torque_gives_its_integral() {
     let held = torque(Interpolation::Constant);
     let axis = InputTable::new(vec![0.0, 0.7, 2.0], vec![2.0, -1.0, 0.0], Interpolation::Constant);
-    let about_axis =
-        TabulatedTorque::new(vec![(Covector(Vector3::<f64>::z()), axis.unwrap())]).unwrap();
+    let about_axis = Inputs::new(vec![(Covector(Vector3::<f64>::z()), axis.unwrap())]).unwrap();
+    let about_axis = TabulatedTorque(about_axis);
     let start = Pair(Covector(Vector3::z()), Time(0.0));
     for (substeps, count) in [(Substeps::suzuki4(), 3), (Substeps::yoshida6(), 7)] {
         let torqued = Torqued::new(orbits(), about_axis.clone()).with_substeps(substeps);
@@ -204,10 +205,10 @@ fn a_held_torque_gives_its_integral() {
 #[test]
 fn a_torque_is_not_known_beyond_its_tables() {
     let held = torque(Interpolation::Constant);
-    assert_eq!(held.require_until(5.0, 0.0), Ok(()));
+    assert_eq!(held.0.require_until(5.0, 0.0), Ok(()));
     let (first, last, begin, end) = (0.0, 5.0, 0.0, 6.0);
     let outside = Err(InputTableError::Outside { first, last, begin, end });
-    assert_eq!(held.require_until(0.0, 6.0), outside);
+    assert_eq!(held.0.require_until(0.0, 6.0), outside);
     let torqued = Torqued::new(orbits(), held);
     assert!(torqued.after(&start(), 0.25, 20).is_ok());
     let error = torqued.after(&start(), 0.25, 21).unwrap_err().to_string();
@@ -220,21 +221,21 @@ fn elements_that_are_no_torques_are_refused() {
     let table = || tables(Interpolation::Linear, 1.0)[0].clone();
     let inputs = |number| {
         let wrong = Covector(Vector3::new(0.0, number, 0.0));
-        TabulatedTorque::new(vec![(Covector(Vector3::x()), table()), (wrong, table())])
+        Inputs::new(vec![(Covector(Vector3::x()), table()), (wrong, table())])
     };
     let error = inputs(f64::INFINITY).unwrap_err();
     let number = f64::INFINITY;
-    assert_eq!(error, TorqueError::NotFiniteInput { input: 2, coordinate: 2, number });
+    assert_eq!(error, InputsError::NotFinite { input: 2, coordinate: 2, number });
     assert_eq!(
         error.to_string(),
-        "coordinate 2 of the torque of input 2 is inf, which is not a finite number"
+        "coordinate 2 of the vector of input 2 is inf, which is not a finite number"
     );
     assert!(inputs(f64::NAN).is_err() && inputs(1.0).is_ok());
-    let flat = TabulatedTorque::new(vec![(Vector2::<f64>::x(), table())]).unwrap();
+    let flat = TabulatedTorque(Inputs::new(vec![(Vector2::<f64>::x(), table())]).unwrap());
     let expected = StepError::Dimension { expected: 2, found: 3 };
     assert_eq!(flat.flow(&mut start(), 0.1), Err(expected));
     // Without inputs there is no torque, and no breakpoint.
-    let none = TabulatedTorque::<Covector<Vector3<f64>>>::new(Vec::new()).unwrap();
+    let none = TabulatedTorque(Inputs::<Covector<Vector3<f64>>>::new(Vec::new()).unwrap());
     assert_eq!(TorqueFlow::<Timed>::next_break(&none, 0.0, true), None);
     let free = Torqued::new(orbits(), none).after(&start(), 0.1, 10).unwrap().momentum;
     assert!((free.0.0.norm() - start().0.0.norm()).abs() < 1e-14);
@@ -249,7 +250,7 @@ fn tables_have_no_units_of_their_own() {
             let orbits = Driven::new(RungeKutta::implicit_midpoint(), HOPF, body);
             let torques = TORQUES.map(|torque| Covector(torque * (momentum / time)));
             let inputs = torques.into_iter().zip(tables(interpolation, time)).collect();
-            let torqued = Torqued::new(orbits, TabulatedTorque::new(inputs).unwrap())
+            let torqued = Torqued::new(orbits, TabulatedTorque(Inputs::new(inputs).unwrap()))
                 .with_substeps(Substeps::yoshida6());
             let start = Pair(Covector(start().0.0 * momentum), Time(0.0));
             torqued.after(&start, 4.0 / 15.0 * time, 15).unwrap().momentum.0.0 / momentum
