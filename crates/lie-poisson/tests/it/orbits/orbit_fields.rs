@@ -113,7 +113,7 @@ fn cases() -> impl Strategy<Value = ([f64; 18], Units, Sign, Interpolation)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(6))]
+    #![proptest_config(ProptestConfig::with_cases(3))]
 
     #[test]
     fn laws_of_orbit_fields_of_rotations((numbers, units, sign, kind) in cases()) {
@@ -132,7 +132,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(ProptestConfig::with_cases(4))]
 
     #[test]
     #[ignore = "long"]
