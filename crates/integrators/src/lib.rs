@@ -152,6 +152,7 @@ pub use integrators::trajectories::integrator::{Integrator, SampleOf, Trajectory
 pub use integrators::trajectories::sample::Sample;
 pub use integrators::trajectories::start::Start;
 pub use observed::Observed;
+pub use open_systems::affine_flow::affine_flow;
 pub use open_systems::driven::Driven;
 pub use open_systems::driven_field::DrivenField;
 pub use open_systems::noise_rule::{NoisePart, NoiseRule};

@@ -4,6 +4,7 @@ pub(crate) mod smooth_pieces;
 pub(crate) mod step_parts;
 pub(crate) mod paths;
 pub(crate) mod noise_rule;
+pub(crate) mod affine_flow;
 pub(crate) mod driven_field;
 pub(crate) mod driven;
 pub(crate) mod noisy;

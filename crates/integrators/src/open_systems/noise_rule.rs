@@ -18,8 +18,10 @@ pub enum NoiseRule {
     #[default]
     Together,
     /// Half a step of the drift X, the fields of the noise one after the other, in this order or the reverse one with equal
-    /// probability, and half a step of the drift. The weak order is 2 if that of the scheme is 4 or more: the fields of the noise act
-    /// for times of the size √h, so that the midpoint rule leaves the weak order 1.
+    /// probability, and half a step of the drift. The weak order is 2 if the fields of the noise are
+    /// [constant](lie_poisson::Noise::is_constant) and the scheme has order 2, as the midpoint rule has: the fields act for times of the
+    /// size √h, and the flow of one that is constant is exact. Other fields are made by the scheme, which then needs the order 4 for
+    /// the weak order 2; the midpoint rule leaves the weak order 1.
     Alternating,
 }
 

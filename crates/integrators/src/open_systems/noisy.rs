@@ -4,6 +4,7 @@ use crate::error::StepError;
 use crate::integrators::collective::{Collective, SpaceOf};
 use crate::integrators::trajectories::integrator::Integrator;
 use crate::integrators::trajectories::start::Start;
+use crate::open_systems::affine_flow::{affine_flow, has_affine_generators};
 use crate::open_systems::noise_rule::{NoisePart, NoiseRule};
 use crate::open_systems::paths::brownian_paths::BrownianPaths;
 use crate::open_systems::smooth_pieces::Window;
@@ -92,6 +93,8 @@ pub struct Noisy<S, M, X, N> {
     noise: N,
     paths: BrownianPaths,
     rule: NoiseRule,
+    /// Whether the flow of each field of the noise is that of an affine field on P.
+    has_flows: bool,
 }
 
 impl<S: Equivariant, M: PoissonMap, X, N> Noisy<S, M, X, N> {
@@ -101,9 +104,10 @@ impl<S: Equivariant, M: PoissonMap, X, N> Noisy<S, M, X, N> {
         X: OrbitField<M::Target>,
         N: Noise<M::Target>,
     {
+        let has_flows = noise.is_constant() && has_affine_generators(&map);
         let map = ProductMap(map, Identity(ProductSpace(PathAxis, TimeAxis)));
         let collective = Collective::of_field(scheme, map, field);
-        Self { collective, noise, paths, rule: NoiseRule::Together }
+        Self { collective, noise, paths, rule: NoiseRule::Together, has_flows }
     }
 
     /// Returns the integrator with another rule for the noise.
@@ -132,6 +136,29 @@ impl<S, M, X, N> Noisy<S, M, X, N> {
     /// Returns whether the steps descend to 𝔤∗: whether M(Φ(z)) depends on M(z) alone.
     pub const fn descends(&self) -> bool {
         self.collective.descends()
+    }
+
+    /// Moves a state by a part of a step without drift, in which the noise is constant.
+    #[cfg_attr(optimised, inline(always))]
+    fn turn<T: Real>(
+        &self,
+        Pair(z, Pair(_, clock)): &mut SourcePoint<MapOfPaths<M>, T>,
+        window: Window<T>,
+        NoisePart { weights, step, .. }: NoisePart<'_, T>,
+    ) -> Result<usize, StepError>
+    where
+        M: PoissonMap,
+        N: Noise<M::Target, T>,
+    {
+        let map = self.map();
+        let time = window.nearest(clock.0 * self.paths.interval());
+        let sigma = self.noise.element(&map.apply::<T>(z), time, weights);
+        affine_flow(
+            #[cfg_attr(optimised, inline(always))]
+            |v, rate: &mut SourcePoint<M, T>| *rate = map.generator::<T>(&sigma, v),
+            step,
+            z,
+        )
     }
 
     /// Makes the parts of a step.
@@ -229,6 +256,9 @@ where
                     step,
                     #[cfg_attr(optimised, inline(always))]
                     |window, part| {
+                        if part.drift == 0.0 && self.has_flows {
+                            return self.turn::<T>(point, window, part);
+                        }
                         // The noise before says nothing about that of this part.
                         self.collective.forget_stages_of::<T>(workspace);
                         let (collective, step) = (&self.collective, part.step);

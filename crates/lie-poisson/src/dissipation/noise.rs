@@ -42,6 +42,29 @@ pub trait Noise<P: PoissonSpace, T: Real = f64> {
 
     /// Returns Σ_k w_k σ_k(μ, t) for as many weights as there are Brownian motions.
     fn element(&self, mu: &Point<P, T>, time: T, weights: &[T]) -> Differential<P, T>;
+
+    /// Returns whether no field σ_k depends on μ; the fields may depend on the time. Then the motion with σ_k alone is the coadjoint
+    /// action of exp(s σ_k), which integrators that make the fields one after the other make exactly. The default is false, which
+    /// is right for every noise.
+    fn is_constant(&self) -> bool {
+        false
+    }
+}
+
+/// A reference to a noise is a noise.
+impl<P: PoissonSpace, T: Real, N: Noise<P, T> + ?Sized> Noise<P, T> for &N {
+    fn count(&self) -> usize {
+        (**self).count()
+    }
+
+    #[cfg_attr(optimised, inline(always))]
+    fn element(&self, mu: &Point<P, T>, time: T, weights: &[T]) -> Differential<P, T> {
+        (**self).element(mu, time, weights)
+    }
+
+    fn is_constant(&self) -> bool {
+        (**self).is_constant()
+    }
 }
 
 /// Noise that is the same in all directions of an inner product: constant fields σ_k = σ e_k, with elements e_k of 𝔤 that are
@@ -95,5 +118,9 @@ impl<P: PoissonSpace, T: Real> Noise<P, T> for IsotropicNoise {
     #[cfg_attr(optimised, inline(always))]
     fn element(&self, _: &Point<P, T>, _: T, weights: &[T]) -> Differential<P, T> {
         self.inner_product.orthonormal::<P, T>(weights).scaled(T::from_f64(self.strength))
+    }
+
+    fn is_constant(&self) -> bool {
+        true
     }
 }

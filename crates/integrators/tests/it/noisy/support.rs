@@ -2,8 +2,9 @@
 
 use collective_integrators::{BrownianPaths, Noisy, RungeKutta, Start};
 use lie_poisson::{
-    Autonomous, Covector, DoubleBracket, Energy, Hamiltonian, InnerProduct, IsotropicNoise,
-    LiePoisson, OrbitField, Pair, PathNumber, Point, PoissonSpace, Real, So3, Time,
+    Autonomous, Covector, Differential, DoubleBracket, Energy, Hamiltonian, InnerProduct,
+    IsotropicNoise, LiePoisson, Noise, OrbitField, Pair, PathNumber, Point, PoissonSpace, Real,
+    So3, Time,
 };
 use momentum_map::Lift;
 use nalgebra::Vector3;
@@ -21,6 +22,27 @@ impl<T: Real> OrbitField<LiePoisson<So3>, T> for Axial {
 
 pub fn isotropic(strength: f64) -> IsotropicNoise {
     IsotropicNoise { inner_product: InnerProduct::euclidean(), strength }
+}
+
+/// The same noise, which says that it is constant or not.
+#[derive(Clone, Debug)]
+pub struct Told {
+    pub noise: IsotropicNoise,
+    pub is_constant: bool,
+}
+
+impl<P: PoissonSpace, T: Real> Noise<P, T> for Told {
+    fn count(&self) -> usize {
+        Noise::<P, T>::count(&self.noise)
+    }
+
+    fn element(&self, mu: &Point<P, T>, time: T, weights: &[T]) -> Differential<P, T> {
+        Noise::<P, T>::element(&self.noise, mu, time, weights)
+    }
+
+    fn is_constant(&self) -> bool {
+        self.is_constant
+    }
 }
 
 /// A momentum, the number of its path, and the time.
