@@ -5,3 +5,4 @@ mod input_tables;
 mod orbit_fields;
 mod faulty_fields;
 mod spin_damping;
+mod laws_of_noise;
