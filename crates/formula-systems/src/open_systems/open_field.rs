@@ -39,6 +39,8 @@ pub(super) enum Motions {
     OnOrbit,
     /// That of the torque, for which the time stands still.
     OfTorque,
+    /// That along the [element](OpenField::place) of another state, for which the time stands still.
+    AlongElement,
 }
 
 /// The field of a part of a step.
@@ -53,6 +55,29 @@ pub(super) struct OpenField<'a, T> {
 }
 
 impl<T: Real> OpenField<'_, T> {
+    /// Writes the momentum of a state with the time and the inputs, and the element of the algebra with which it moves.
+    pub(super) fn place(&self, Pair(z, Pair(clock, _)): &OpenState<T>) {
+        let scratch = &mut *self.scratch.borrow_mut();
+        self.place_in(z, clock, scratch);
+        self.element(self.system.base().algebra().dimension(), scratch);
+    }
+
+    /// Writes the momentum of a state with the time and the inputs.
+    fn place_in(&self, z: &AnyState<T>, clock: &Vector2<T>, scratch: &mut Scratch<T>) {
+        let time = self.window.nearest(clock.y * self.system.interval());
+        self.momentum(z, scratch);
+        self.system.terms().inputs.append(time, &mut scratch.x);
+    }
+
+    /// Writes the momentum of a point.
+    fn momentum(&self, z: &AnyState<T>, scratch: &mut Scratch<T>) {
+        scratch.x.resize(self.system.base().algebra().dimension(), T::zero());
+        match self.momenta {
+            Some((momenta, _)) => momenta.values(z.as_slice(), &mut scratch.x),
+            None => scratch.x.copy_from_slice(z.as_slice()),
+        }
+    }
+
     /// Writes the element of the algebra with which the momentum moves: that of the drift, and of the noise.
     fn element(&self, dimension: usize, scratch: &mut Scratch<T>) {
         let Scratch { x, xi, rate, element } = scratch;
@@ -125,16 +150,12 @@ impl<T: Real> VectorField<T> for OpenField<'_, T> {
 
     fn at_into(&self, Pair(z, Pair(clock, attitude)): &OpenState<T>, value: &mut OpenState<T>) {
         let Pair(rate, Pair(clock_rate, attitude_rate)) = value;
-        let (interval, dimension) =
-            (self.system.interval(), self.system.base().algebra().dimension());
         let scratch = &mut *self.scratch.borrow_mut();
-        let time = self.window.nearest(clock.y * interval);
-        scratch.x.resize(dimension, T::zero());
-        match self.momenta {
-            Some((momenta, _)) => momenta.values(z.as_slice(), &mut scratch.x),
-            None => scratch.x.copy_from_slice(z.as_slice()),
+        if self.motions == Motions::AlongElement {
+            self.momentum(z, scratch);
+        } else {
+            self.place_in(z, clock, scratch);
         }
-        self.system.terms().inputs.append(time, &mut scratch.x);
         if self.motions == Motions::OfTorque {
             rate.as_mut_slice().fill(T::zero());
             self.add_torque(&scratch.x, rate.as_mut_slice());
@@ -142,7 +163,9 @@ impl<T: Real> VectorField<T> for OpenField<'_, T> {
             attitude_rate.as_mut_slice().fill(T::zero());
             return;
         }
-        self.element(dimension, scratch);
+        if self.motions != Motions::AlongElement {
+            self.element(self.system.base().algebra().dimension(), scratch);
+        }
         let Scratch { x, xi, element, .. } = scratch;
         match self.momenta {
             Some((momenta, sign)) => {
@@ -156,7 +179,8 @@ impl<T: Real> VectorField<T> for OpenField<'_, T> {
                 }
             }
         }
-        *clock_rate = Vector2::new(T::zero(), T::from_f64(self.part.drift / interval));
+        let clock_speed = self.part.drift / self.system.interval();
+        *clock_rate = Vector2::new(T::zero(), T::from_f64(clock_speed));
         turn(attitude.as_slice(), xi, attitude_rate.as_mut_slice());
     }
 }

@@ -6,7 +6,7 @@ use crate::error::FormulaSystemError;
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use collective_integrators::{
     AnyIntegrator, AnyState, AnyTangents, ByPointer, Composition, Integrator, NoisePart,
-    RungeKutta, Scheme, Start, Step, StepError, StepParts,
+    RungeKutta, Scheme, Start, Step, StepError, StepParts, VectorField, affine_flow,
 };
 use core::cell::RefCell;
 use lie_poisson::{Pair, Real, State};
@@ -27,6 +27,8 @@ pub(super) struct OpenIntegrator {
     system: OpenSystem,
     /// The momenta, and the sign of the generator that makes the bracket of the system.
     momenta: Option<(Arc<QuadraticMomenta>, f64)>,
+    /// Whether the fields of the noise are constant, so that the flow of each is exact.
+    has_flows: bool,
     /// The attitude of the start, if it is followed.
     attitude: Option<[f64; 4]>,
 }
@@ -47,7 +49,9 @@ impl OpenIntegrator {
         let has_plus = system.base().has_plus_bracket();
         let sign = |is_plus| if is_plus == has_plus { 1.0 } else { -1.0 };
         let momenta = momenta.map(|(momenta, is_plus)| (momenta, sign(is_plus)));
-        Self { scheme: ByPointer(scheme), system, momenta, attitude }
+        let (noise, dimension) = (&system.terms().noise, system.base().algebra().dimension());
+        let has_flows = noise.as_ref().is_some_and(|noise| noise.fields.are_constant(dimension));
+        Self { scheme: ByPointer(scheme), system, momenta, has_flows, attitude }
     }
 
     /// Returns the integrator if it can start from a state.
@@ -128,6 +132,15 @@ impl<T: Real> Integrator<T> for OpenIntegrator {
                 let system = &self.system;
                 let mut make = |motions, part: NoisePart<'_, T>| {
                     let field = OpenField { system, momenta, part, motions, window, scratch };
+                    if part.drift == 0.0 && self.has_flows {
+                        field.place(&point);
+                        let along = OpenField { motions: Motions::AlongElement, ..field };
+                        return affine_flow(
+                            |v, rate| along.at_into(v, rate),
+                            part.step,
+                            &mut point,
+                        );
+                    }
                     // The noise before says nothing about that of this part.
                     if system.paths().is_some() {
                         self.scheme.forget(scheme);

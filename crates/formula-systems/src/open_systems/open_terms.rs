@@ -86,6 +86,16 @@ impl NoiseFields {
             Self::Formulas(fields) => fields.len(),
         }
     }
+
+    /// Returns whether no field depends on the momentum of an algebra of a dimension; fields may depend on the time and on inputs.
+    #[must_use]
+    pub fn are_constant(&self, dimension: usize) -> bool {
+        let is_constant = |formula: &Formula| !(0..dimension).any(|i| formula.depends_on(i));
+        match self {
+            Self::Isotropic(_) => true,
+            Self::Formulas(fields) => fields.iter().flatten().all(is_constant),
+        }
+    }
 }
 
 impl OpenTerms {

@@ -1,7 +1,7 @@
 //! A scalar as text, with its derivatives: [`Formula`].
 
 use crate::graphs::elaboration::elaborate;
-use crate::graphs::graph::Graph;
+use crate::graphs::graph::{Graph, Node};
 use crate::names::vocabulary::Vocabulary;
 use crate::tapes::tape::Tape;
 use crate::text::expressions::{Expression, Expressions};
@@ -55,6 +55,8 @@ struct Compiled {
     short: Option<String>,
     names: Vocabulary,
     dimension: usize,
+    /// Whether the value depends on each coordinate.
+    depends: Vec<bool>,
     period: Option<f64>,
     /// Whether the derivatives are numbers, and no part is chosen by a condition.
     has_constant_gradient: bool,
@@ -107,6 +109,10 @@ impl Formula {
         let mut graph = Graph::default();
         let value = elaborate(&syntax, names, &mut graph)?;
         let inputs = names.coordinates().dimension();
+        let reachable = graph.reachable(&[value]);
+        let is_reachable = |id| reachable.get(id) == Some(&true);
+        let depends =
+            (0..inputs).map(|i| graph.find(Node::Input(i)).is_some_and(is_reachable)).collect();
         let period = graph.period(value);
         let gradient = graph.gradient(value, inputs);
         let is_constant = gradient.iter().all(|&slope| graph.as_number(slope).is_some());
@@ -122,6 +128,7 @@ impl Formula {
             second_derivative: tape(&tangents, 2 * inputs, inputs)?,
             names: names.clone(),
             dimension: inputs,
+            depends,
             period,
             has_constant_gradient,
             syntax,
@@ -204,6 +211,21 @@ impl Formula {
     #[must_use]
     pub fn dimension(&self) -> usize {
         self.0.dimension
+    }
+
+    /// Returns whether the formula depends on a coordinate, after simplification.
+    ///
+    /// ```
+    /// use lie_poisson::So3;
+    /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+    /// let names = Vocabulary::of(&So3, &Parameters::new())?;
+    /// let h = Formula::new("sign(Pi1) + 0*Pi2", &names)?;
+    /// assert_eq!([0, 1, 2].map(|i| h.depends_on(i)), [true, false, false]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn depends_on(&self, coordinate: usize) -> bool {
+        self.0.depends.get(coordinate) == Some(&true)
     }
 
     /// Returns the period of the values if the formula is an angle, and `None` otherwise.

@@ -58,6 +58,33 @@ fn a_field_by_formulas_has_a_path_of_its_own() {
     assert!((end[1].atan2(end[0]) - angle).abs() < 1e-9, "{end:?} {angle}");
 }
 
+/// A field that depends on the time alone turns the spin exactly, with its value in the middle of a step, on the momentum and
+/// upstairs, where noise together turns it by the midpoint rule.
+#[test]
+fn fields_that_depend_on_the_time_alone_have_exact_flows() {
+    let start = [1.0, 0.0, 0.0];
+    let paths = BrownianPaths::new(1, 0.1).unwrap();
+    // The second component is the coin.
+    let increment = |n: u32| {
+        let mut increments = [0.0; 2];
+        paths.write_increments(0, f64::from(n), f64::from(n) + 1.0, &mut increments);
+        0.5 * (0.1 * (f64::from(n) + 0.5)).cos() * increments[0]
+    };
+    let angle = -(0..20).map(increment).sum::<f64>();
+    let error = |rule, formulation| {
+        let noise = Some(vec![vec!["0", "0", "0.5*cos(t)"]]);
+        let spin = open("so(3)", "0*Pi3", &Texts { noise, rule, ..Texts::default() }, 0.1).unwrap();
+        let end = after(&spin, (formulation, "implicit-midpoint"), &start, 0.1, 20);
+        (end[1].atan2(end[0]) - angle).abs()
+    };
+    for formulation in ["collective", "direct"] {
+        // Twenty steps of some ten roundings.
+        let exact = error(NoiseRule::Alternating, formulation);
+        assert!(exact < 1e-14, "{formulation} {exact:e}");
+        assert!(error(NoiseRule::Together, formulation) > 1e-6);
+    }
+}
+
 fn require_casimirs(steps: u64) {
     let noise = |size: usize, texts: &[&'static str]| {
         let field = |i: usize| {
