@@ -4,6 +4,7 @@ use crate::error::StepError;
 use crate::integrators::trajectories::integrator::Integrator;
 use crate::integrators::trajectories::start::Start;
 use crate::iteration::stage_solver::StageSolver;
+use crate::open_systems::affine_flow::{affine_flow, has_affine_generators};
 use crate::open_systems::noise_rule::{NoisePart, NoiseRule};
 use crate::open_systems::noisy::PathAndTime;
 use crate::open_systems::paths::brownian_paths::BrownianPaths;
@@ -11,11 +12,11 @@ use crate::open_systems::smooth_pieces::Window;
 use crate::open_systems::step_parts::StepParts;
 use crate::schemes::scheme::Step;
 use lie_poisson::{Differential, Noise, OrbitField, Pair, Point, PoissonSpace, Real, Time, Vector};
-use momentum_map::{InvertibleMultipliers, LiftError, Multiplier};
+use momentum_map::{Identity, InvertibleMultipliers, LiftError, Multiplier, Multipliers};
 
 /// The collective midpoint rule of an [orbit field](OrbitField) ξ with [noise](Noise) σ_k, without a lift: the map of
 /// [`Noisy`](crate::Noisy) with [`RungeKutta::implicit_midpoint`](crate::RungeKutta::implicit_midpoint) and all noise
-/// [together](NoiseRule::Together), with fewer unknowns. The benchmark `open_systems` of `heavytop` times both.
+/// [together](NoiseRule::Together), with fewer unknowns; or that with [another rule](Self::with_rule). The benchmark `open_systems` of `heavytop` times both.
 ///
 /// With the motion ζ of a step, and the inverse of [multipliers](momentum_map::Multipliers), it reads
 ///
@@ -58,20 +59,37 @@ pub struct NoisyReduced<M, X, N> {
     field: X,
     noise: N,
     paths: BrownianPaths,
+    rule: NoiseRule,
     solver: StageSolver,
+    /// Whether the flow of each field of the noise is that of an affine field on 𝔤∗.
+    has_flows: bool,
 }
+
+/// A momentum, the number of its path, and the time.
+type StateOf<M, T> = Pair<Point<<M as Multipliers>::Space, T>, PathAndTime<T>>;
 
 /// The iteration on ζ has no derivative, and each of its sweeps costs little.
 const FIXED_POINT: StageSolver = StageSolver { tolerance: 0.0, max_iterations: 200, newton: false };
 
 impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
-    /// Creates the integrator, whose iteration goes on to the round-off floor.
+    /// Creates the integrator, with all noise together and an iteration that goes on to the round-off floor.
     pub fn new(multipliers: M, field: X, noise: N, paths: BrownianPaths) -> Self
     where
         X: OrbitField<M::Space>,
         N: Noise<M::Space>,
     {
-        Self { multipliers, field, noise, paths, solver: FIXED_POINT }
+        let has_flows =
+            noise.is_constant() && has_affine_generators(&Identity(multipliers.space()));
+        let rule = NoiseRule::Together;
+        Self { multipliers, field, noise, paths, rule, solver: FIXED_POINT, has_flows }
+    }
+
+    /// Returns the integrator with another rule for the noise. [`NoiseRule::Alternating`] has the weak order 2 if the noise is
+    /// [constant](Noise::is_constant): the steps of the drift are those of the midpoint rule, and those of the noise the coadjoint
+    /// action of exp(ΔW_k σ_k), to round-off.
+    #[must_use]
+    pub fn with_rule(self, rule: NoiseRule) -> Self {
+        Self { rule, ..self }
     }
 
     /// Replaces the solver of the fixed-point iteration. Its tolerance is a part of ζ: the relative error of the motion of a step.
@@ -101,11 +119,12 @@ impl<M, X, N> NoisyReduced<M, X, N> {
     }
 }
 
-/// The rate ζ = ξ + Σ_k w_k σ_k at a time.
+/// The rate ζ = a ξ + Σ_k w_k σ_k at a time, with a = 0 or 1.
 struct Rate<'a, X, N, T> {
     field: &'a X,
     noise: &'a N,
     time: T,
+    drift: f64,
     weights: &'a [T],
 }
 
@@ -116,7 +135,10 @@ impl<X, N, T: Real> Rate<'_, X, N, T> {
         X: OrbitField<P, T>,
         N: Noise<P, T>,
     {
-        let mut zeta = self.field.element(mu, self.time);
+        let mut zeta = Vector::zero();
+        if self.drift != 0.0 {
+            zeta = self.field.element(mu, self.time);
+        }
         if !self.weights.is_empty() {
             zeta += self.noise.element(mu, self.time, self.weights);
         }
@@ -137,7 +159,7 @@ impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
     #[cfg_attr(optimised, inline(always))]
     fn move_by<T: Real>(
         &self,
-        Pair(mu, Pair(_, clock)): &mut Pair<Point<M::Space, T>, PathAndTime<T>>,
+        Pair(mu, Pair(_, clock)): &mut StateOf<M, T>,
         window: Window<T>,
         NoisePart { drift, weights, step }: NoisePart<'_, T>,
     ) -> Result<usize, StepError>
@@ -148,7 +170,16 @@ impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
         let interval = self.paths.interval();
         let elapsed = T::from_f64(drift * step / interval);
         let time = window.nearest((clock.0 + elapsed * 0.5) * interval);
-        let rate = Rate { field: &self.field, noise: &self.noise, time, weights };
+        if drift == 0.0 && self.has_flows {
+            let (sigma, space) = (self.noise.element(mu, time, weights), self.multipliers.space());
+            return affine_flow(
+                #[cfg_attr(optimised, inline(always))]
+                |mu, rate| *rate = space.hamiltonian_vector::<T>(mu, &sigma),
+                step,
+                mu,
+            );
+        }
+        let rate = Rate { field: &self.field, noise: &self.noise, time, drift, weights };
         let mut zeta = [Vector::zero()];
         let sweeps = self.solver.solve(
             rate.at(mu),
@@ -175,7 +206,7 @@ where
     N: Noise<M::Space, T>,
     T: Real,
 {
-    type State = Pair<Point<M::Space, T>, PathAndTime<T>>;
+    type State = StateOf<M, T>;
     type Momentum = Self::State;
     type Workspace = ();
 
@@ -188,7 +219,7 @@ where
         step: f64,
         (): &mut (),
     ) -> Result<Step<Self::State>, StepError> {
-        let noise = Some((&self.paths, NoiseRule::Together, self.noise.count()));
+        let noise = Some((&self.paths, self.rule, self.noise.count()));
         let parts = StepParts { interval: self.paths.interval(), noise };
         let Pair(path, clock) = state.1;
         Step::of_copy(

@@ -2,8 +2,8 @@
 
 use super::support::{InField, isotropic, on_path};
 use collective_integrators::{
-    BrownianPaths, Ensemble, Integrator, Laned, Noisy, NoisyReduced, RungeKutta, StageSolver,
-    Start, StepError, laws,
+    BrownianPaths, Ensemble, Integrator, Laned, NoiseRule, Noisy, NoisyReduced, RungeKutta,
+    StageSolver, Start, StepError, laws,
 };
 use lie_poisson::{
     Automatic, Autonomous, Covector, DoubleBracket, Energy, InnerProduct, InstructionSet,
@@ -78,7 +78,7 @@ fn spin() -> Covector<Vector3<f64>> {
 
 /// Tests that both rules make the same steps of a system, and that another path is another one.
 fn require_same_steps<M, K, X, N>(
-    (map, multipliers): (M, K),
+    (map, multipliers, rule): (M, K, NoiseRule),
     (field, noise): (X, N),
     start: &Point<M::Target>,
 ) where
@@ -88,8 +88,8 @@ fn require_same_steps<M, K, X, N>(
     N: Noise<M::Target> + Clone,
 {
     let midpoint = RungeKutta::implicit_midpoint();
-    let lifted = Noisy::new(midpoint, map, field.clone(), noise.clone(), paths());
-    let reduced = NoisyReduced::new(multipliers, field, noise, paths());
+    let lifted = Noisy::new(midpoint, map, field.clone(), noise.clone(), paths()).with_rule(rule);
+    let reduced = NoisyReduced::new(multipliers, field, noise, paths()).with_rule(rule);
     // Steps of an interval, of a part of one, and backward.
     for (step, steps) in [(STEP, 200), (0.07, 100), (-STEP, 100)] {
         let end = |path| {
@@ -112,12 +112,16 @@ fn the_steps_are_those_of_the_lift() {
         DoubleBracket::new(space, Autonomous(Automatic(Cubic)), friction, product).unwrap()
     };
     let thermal = IsotropicNoise::thermal(InnerProduct::euclidean(), (0.3, 0.7)).unwrap();
-    require_same_steps((HOPF, Quaternions), (damped(0.3), thermal), &spin());
-    require_same_steps((HOPF, Quaternions), (Turning, Turning), &spin());
     let two = Covector(Power([spin().0, Vector3::new(0.1, 0.5, -0.4)]));
     let field = Autonomous(Automatic(Exchange));
-    let (map, multipliers) = (PowerMap::<_, 2>(HOPF), PowerMultipliers::<_, 2>(Quaternions));
-    require_same_steps((map, multipliers), (field, isotropic(0.3)), &two);
+    // Noise that follows the spin is made by the midpoint rule in both, too.
+    for rule in [NoiseRule::Together, NoiseRule::Alternating] {
+        let of_spin = || (HOPF, Quaternions, rule);
+        require_same_steps(of_spin(), (damped(0.3), thermal.clone()), &spin());
+        require_same_steps(of_spin(), (Turning, Turning), &spin());
+        let (map, multipliers) = (PowerMap::<_, 2>(HOPF), PowerMultipliers::<_, 2>(Quaternions));
+        require_same_steps((map, multipliers, rule), (field, isotropic(0.3)), &two);
+    }
 }
 
 /// With σ√h = 10 a step turns the spin by many radians, and steps of the lift fail. The reduced rule turns by Cayley's map,
@@ -226,10 +230,12 @@ fn a_tolerance_saves_sweeps_and_keeps_the_casimir() {
 
 #[test]
 fn members_in_lanes_have_the_bits_of_single_runs() {
-    for tolerance in [0.0, 1e-6] {
+    let methods = [0.0, 1e-6].map(|tolerance| (tolerance, NoiseRule::Together));
+    for (tolerance, rule) in methods.into_iter().chain([(0.0, NoiseRule::Alternating)]) {
         require_bits_in_lanes(|| {
             NoisyReduced::new(Quaternions, Autonomous(Automatic(Cubic)), isotropic(0.5), paths())
                 .with_solver(solver(tolerance))
+                .with_rule(rule)
         });
     }
 }
@@ -271,8 +277,11 @@ fn require_bits_of_single_runs(
 
 #[test]
 fn the_laws_of_integrators_hold() {
-    let reduced =
-        NoisyReduced::new(Quaternions, Autonomous(Automatic(Cubic)), isotropic(0.5), paths());
-    let state = reduced.start(&on_path(spin(), 3)).unwrap();
-    laws::integrator(&reduced, &[state], STEP).unwrap().check(1e-13).unwrap();
+    for rule in [NoiseRule::Together, NoiseRule::Alternating] {
+        let field = Autonomous(Automatic(Cubic));
+        let reduced =
+            NoisyReduced::new(Quaternions, field, isotropic(0.5), paths()).with_rule(rule);
+        let state = reduced.start(&on_path(spin(), 3)).unwrap();
+        laws::integrator(&reduced, &[state], STEP).unwrap().check(1e-13).unwrap();
+    }
 }
