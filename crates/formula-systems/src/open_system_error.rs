@@ -111,6 +111,44 @@ pub enum OpenSystemError {
         "a temperature needs a friction: the strength of the noise is the root of 2 × friction × temperature"
     )]
     TemperatureAlone,
+    /// A friction of 0 would make a temperature void.
+    #[error(
+        "beside temperature = {temperature} the friction must be a positive number, it is friction = 0: the strength of \
+         the noise is the root of 2 × friction × temperature"
+    )]
+    TemperatureWithoutFriction {
+        /// The temperature, which is positive.
+        temperature: f64,
+    },
+    /// A form of damping is of spins, and the coordinates are others.
+    #[error(
+        "a form of damping is of spins, on so(3) or a sum of several so(3): {algebra} has friction with inner_product, and \
+         no form"
+    )]
+    NoSpins {
+        /// The name of the algebra.
+        algebra: String,
+    },
+}
+
+impl OpenSystemError {
+    /// Checks a friction, and the temperature kT beside it; 0 if there is none.
+    ///
+    /// # Errors
+    /// Returns [`Dissipation`](Self::Dissipation) for a number that is negative or not finite, and
+    /// [`TemperatureWithoutFriction`](Self::TemperatureWithoutFriction).
+    pub fn require_thermal(friction: f64, temperature: f64) -> Result<(), Self> {
+        if !(friction >= 0.0 && friction.is_finite()) {
+            return Err(DissipationError::Friction { friction }.into());
+        }
+        if !(temperature >= 0.0 && temperature.is_finite()) {
+            return Err(DissipationError::Temperature { temperature }.into());
+        }
+        if friction == 0.0 && temperature > 0.0 {
+            return Err(Self::TemperatureWithoutFriction { temperature });
+        }
+        Ok(())
+    }
 }
 
 impl From<InnerProductError> for OpenSystemError {

@@ -143,7 +143,9 @@ pub use brackets::product_space::{PowerSpace, ProductSpace, from_parts, parts};
 pub use brackets::sites_hamiltonian::SitesHamiltonian;
 pub use dissipation::dissipation_error::DissipationError;
 pub use dissipation::double_bracket::DoubleBracket;
-pub use dissipation::gilbert_damping::{GilbertDamping, GilbertDampingError, SpaceOfSpins};
+pub use dissipation::gilbert_damping::{
+    GilbertDamping, GilbertDampingError, SpaceOfSpins, gilbert_element,
+};
 pub use dissipation::noise::{IsotropicNoise, Noise};
 pub use orbits::breakpoints::{BreakpointError, WithBreakpoints};
 pub use orbits::control::{Controlled, Inputs, InputsError};

@@ -1,7 +1,8 @@
 //! The field of an open system on states of any dimension: [`OpenField`].
 
 use super::open_system::OpenSystem;
-use super::open_terms::NoiseFields;
+use super::open_terms::{Damping, NoiseFields};
+use super::spin_terms::{damp_spins, shake_spins};
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use collective_integrators::{AnyState, NoisePart, VectorField, Window};
 use core::cell::RefCell;
@@ -95,9 +96,14 @@ impl<T: Real> OpenField<'_, T> {
             }
             if let Some(damping) = &terms.damping {
                 self.coadjoint(xi, x, rate);
-                damping.inner_product.write_sharp(rate, element);
-                let pairs = xi.iter_mut().zip(element.iter());
-                pairs.for_each(|(xi, sharp)| *xi += *sharp * damping.friction);
+                match damping {
+                    Damping::Gilbert(damping) => damp_spins(*damping, x, rate, xi),
+                    Damping::DoubleBracket { friction, inner_product } => {
+                        inner_product.write_sharp(rate, element);
+                        let pairs = xi.iter_mut().zip(element.iter());
+                        pairs.for_each(|(xi, sharp)| *xi += *sharp * *friction);
+                    }
+                }
             }
         }
         match terms.noise.as_ref().map(|noise| &noise.fields) {
@@ -106,6 +112,9 @@ impl<T: Real> OpenField<'_, T> {
                 noise.inner_product.write_orthonormal(weights, element);
                 let pairs = xi.iter_mut().zip(element.iter());
                 pairs.for_each(|(xi, sigma)| *xi += *sigma * noise.strength);
+            }
+            Some(NoiseFields::OfSpins { damping, temperature }) => {
+                shake_spins(*damping, *temperature, (x, weights), xi);
             }
             Some(NoiseFields::Formulas(fields)) => {
                 let fields = fields.iter().zip(weights);

@@ -4,6 +4,7 @@ use super::open_field::{Motions, OpenField, Scratch};
 use super::open_integrator::OpenIntegrator;
 use super::open_system::OpenSystem;
 use super::open_terms::NoiseFields;
+use super::spin_terms::thermal_strength;
 use crate::algebras::family::Family;
 use crate::error::FormulaSystemError;
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
@@ -12,7 +13,7 @@ use collective_integrators::{
 };
 use core::cell::RefCell;
 use heavytop::methods::{Formulation, Method, SchemeName};
-use lie_poisson::{Pair, Quaternion, State};
+use lie_poisson::{Pair, Quaternion, State, larger};
 use nalgebra::Vector2;
 use std::sync::Arc;
 
@@ -62,13 +63,19 @@ impl OpenSystem {
         }
     }
 
-    /// Returns the angle by which isotropic noise turns the state in a step h, rad: the largest σ√(h ♯_ii) of the coordinates i that
-    /// are rotations. There is none of other noise, and of algebras whose coordinates are not known to be rotations. Steps are
-    /// safe up to a third.
+    /// Returns the angle by which isotropic noise turns a state in a step h, rad: the largest σ√(h ♯_ii) of the coordinates i that
+    /// are rotations, or σ√h of all spins. There is none of other noise, and of algebras whose coordinates are not known to be
+    /// rotations. Steps are safe up to a third.
     #[must_use]
-    pub fn noise_angle(&self, step: f64) -> Option<f64> {
-        let NoiseFields::Isotropic(noise) = &self.terms().noise.as_ref()?.fields else {
-            return None;
+    pub fn noise_angle(&self, state: &[f64], step: f64) -> Option<f64> {
+        let noise = match &self.terms().noise.as_ref()?.fields {
+            NoiseFields::Isotropic(noise) => noise,
+            NoiseFields::OfSpins { damping, temperature } => {
+                let spins = state.as_chunks::<3>().0.iter();
+                let strengths = spins.map(|spin| thermal_strength(*damping, *temperature, *spin));
+                return Some(strengths.fold(0.0, larger) * step.abs().sqrt());
+            }
+            NoiseFields::Formulas(_) => return None,
         };
         let dimension = self.base().algebra().dimension();
         let turns = match self.base().algebra().family {

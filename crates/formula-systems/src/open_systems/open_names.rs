@@ -1,6 +1,7 @@
 //! The formulas of an open system: [`OpenNames`].
 
 use super::named_inputs::NamedInputs;
+use super::spin_terms::require_spins;
 use crate::algebras::system_algebra::SystemAlgebra;
 use crate::error::FormulaSystemError;
 use crate::open_system_error::OpenSystemError;
@@ -110,6 +111,14 @@ impl OpenNames {
             what: what.into(),
             reason: Box::new(reason),
         })
+    }
+
+    /// Checks that the algebra is that of spins, so(3) or a sum of several, for forms of damping that are of them.
+    ///
+    /// # Errors
+    /// Returns [`OpenSystemError::NoSpins`] if it is not.
+    pub fn require_spins(&self) -> Result<(), OpenSystemError> {
+        require_spins(&self.algebra)
     }
 
     /// Returns the inner product of a matrix on the dual of the algebra, by its rows one after the other. Without one it is the unit

@@ -20,7 +20,7 @@ use collective_integrators::BrownianPaths;
 /// use lie_poisson_formulas::Parameters;
 ///
 /// let spin = FormulaSystem::new(SystemAlgebra::named("so(3)")?, "-Pi3", &Parameters::new())?.with_found_casimirs()?;
-/// let damping = Some(Damping { friction: 0.5, inner_product: InnerProduct::euclidean() });
+/// let damping = Some(Damping::DoubleBracket { friction: 0.5, inner_product: InnerProduct::euclidean() });
 /// let terms = OpenTerms { damping, ..OpenTerms::default() };
 /// let damped = OpenSystem::new(spin.clone(), terms.clone(), 0.1)?;
 /// let start = [1.0, 0.0, 0.0];
@@ -52,7 +52,7 @@ impl OpenSystem {
     /// # Errors
     /// Returns [`OpenSystemError`] if the terms do not fit the algebra.
     pub fn new(base: FormulaSystem, terms: OpenTerms, step: f64) -> Result<Self, OpenSystemError> {
-        terms.require_sane(base.algebra().dimension())?;
+        terms.require_sane(base.algebra())?;
         // Runs backward count the same intervals.
         let of_noise = terms.noise.as_ref().and_then(|noise| noise.interval);
         let interval = of_noise.unwrap_or(step.abs());

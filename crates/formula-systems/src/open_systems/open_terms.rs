@@ -1,9 +1,11 @@
 //! What makes a system an open one: [`OpenTerms`].
 
 use super::named_inputs::NamedInputs;
+use super::spin_terms::require_spins;
+use crate::algebras::system_algebra::SystemAlgebra;
 use crate::open_system_error::OpenSystemError;
 use collective_integrators::NoiseRule;
-use lie_poisson::{DissipationError, InnerProduct, IsotropicNoise};
+use lie_poisson::{InnerProduct, IsotropicNoise};
 use lie_poisson_formulas::Formula;
 
 /// What drives, damps, shakes or forces a system, all of it optional:
@@ -11,6 +13,8 @@ use lie_poisson_formulas::Formula;
 /// ```text
 /// dμ = Λ(μ) (dh(μ, t) + u(μ, t) + θ (Λ dh)♯) dt + Σ_k Λ(μ) σ_k(μ, t) ∘ dW_k + F(μ, t) dt
 /// ```
+///
+/// Gilbert's damping takes the place of the double bracket, if it is chosen.
 ///
 /// Formulas are in the names that [`NamedInputs::vocabulary`] has: coordinates, the time `t`, inputs and parameters.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,7 +25,7 @@ pub struct OpenTerms {
     pub hamiltonian: Option<Formula>,
     /// The control u, an element of the algebra, with a formula for each coordinate.
     pub drive: Option<Vec<Formula>>,
-    /// The friction θ and the inner product ♯ of the double bracket, which damps dh + u.
+    /// The friction, which damps dh + u.
     pub damping: Option<Damping>,
     /// The noise σ_k.
     pub noise: Option<NoiseTerms>,
@@ -30,13 +34,28 @@ pub struct OpenTerms {
     pub torque: Option<Vec<Formula>>,
 }
 
-/// Dissipation by a [double bracket](lie_poisson::DoubleBracket).
+/// Dissipation that stays on the coadjoint orbits.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Damping {
-    /// The friction θ.
-    pub friction: f64,
-    /// The inner product ♯.
-    pub inner_product: InnerProduct,
+pub enum Damping {
+    /// A [double bracket](lie_poisson::DoubleBracket), on the dual of any algebra.
+    DoubleBracket {
+        /// The friction θ.
+        friction: f64,
+        /// The inner product ♯.
+        inner_product: InnerProduct,
+    },
+    /// [Gilbert's damping](lie_poisson::GilbertDamping) α of each spin, on sums of so(3)∗ alone.
+    Gilbert(f64),
+}
+
+impl Damping {
+    /// Returns the friction θ, or Gilbert's α.
+    #[must_use]
+    pub const fn friction(&self) -> f64 {
+        match self {
+            Self::DoubleBracket { friction, .. } | Self::Gilbert(friction) => *friction,
+        }
+    }
 }
 
 /// Noise, and which of its paths a run has.
@@ -63,26 +82,39 @@ pub struct NoiseTerms {
 pub enum NoiseFields {
     /// The same in all directions of an inner product.
     Isotropic(IsotropicNoise),
+    /// That of Gilbert's damping α at the energy kT: √(2bkT) in all directions of a spin, b = α/((1 + α²)|s|).
+    OfSpins {
+        /// The damping α.
+        damping: f64,
+        /// The energy kT, in the unit of the Hamiltonian.
+        temperature: f64,
+    },
     /// Elements of the algebra, with a formula for each coordinate.
     Formulas(Vec<Vec<Formula>>),
 }
 
 impl NoiseFields {
-    /// Returns the noise of a temperature, for a damping with its inner product: σ² = 2θkT.
+    /// Returns the noise of a temperature, for a damping with its inner product: σ² = 2θkT; and for Gilbert's damping.
     ///
     /// # Errors
-    /// Returns [`OpenSystemError`] without damping, or for a negative temperature.
+    /// Returns [`OpenSystemError`] without damping, with a damping of 0, which would make a temperature void, or for a
+    /// negative temperature.
     pub fn thermal(damping: Option<&Damping>, temperature: f64) -> Result<Self, OpenSystemError> {
-        let Damping { friction, inner_product } =
-            damping.ok_or(OpenSystemError::TemperatureAlone)?.clone();
-        Ok(Self::Isotropic(IsotropicNoise::thermal(inner_product, (friction, temperature))?))
+        let damping = damping.ok_or(OpenSystemError::TemperatureAlone)?.clone();
+        OpenSystemError::require_thermal(damping.friction(), temperature)?;
+        Ok(match damping {
+            Damping::DoubleBracket { friction, inner_product } => {
+                Self::Isotropic(IsotropicNoise::thermal(inner_product, (friction, temperature))?)
+            }
+            Damping::Gilbert(damping) => Self::OfSpins { damping, temperature },
+        })
     }
 
     /// Returns the number of Brownian motions on an algebra of a dimension.
     #[must_use]
     pub fn count(&self, dimension: usize) -> usize {
         match self {
-            Self::Isotropic(_) => dimension,
+            Self::Isotropic(_) | Self::OfSpins { .. } => dimension,
             Self::Formulas(fields) => fields.len(),
         }
     }
@@ -100,35 +132,46 @@ impl NoiseFields {
 
 impl OpenTerms {
     /// Checks what is not a formula.
-    pub(super) fn require_sane(&self, dimension: usize) -> Result<(), OpenSystemError> {
-        let products = [
-            self.damping.as_ref().map(|damping| &damping.inner_product),
-            self.noise.as_ref().and_then(|noise| match &noise.fields {
-                NoiseFields::Isotropic(noise) => Some(&noise.inner_product),
-                NoiseFields::Formulas(_) => None,
-            }),
-        ];
+    pub(super) fn require_sane(&self, algebra: &SystemAlgebra) -> Result<(), OpenSystemError> {
+        let dimension = algebra.dimension();
+        let noise = self.noise.as_ref().map(|noise| &noise.fields);
+        let (of_damping, is_of_spins) = match &self.damping {
+            Some(Damping::DoubleBracket { inner_product, .. }) => (Some(inner_product), false),
+            damping => (None, damping.is_some()),
+        };
+        let of_noise = match noise {
+            Some(NoiseFields::Isotropic(noise)) => Some(&noise.inner_product),
+            _ => None,
+        };
+        let products = [of_damping, of_noise];
+        if is_of_spins || matches!(noise, Some(NoiseFields::OfSpins { .. })) {
+            require_spins(algebra)?;
+        }
         for found in products.into_iter().flatten().filter_map(InnerProduct::dimension) {
             if found != dimension {
                 return Err(OpenSystemError::InnerProductSize { expected: dimension, found });
             }
         }
-        if let Some(Damping { friction, .. }) = self.damping
-            && !(friction >= 0.0 && friction.is_finite())
-        {
-            return Err(DissipationError::Friction { friction }.into());
+        if let Some(damping) = &self.damping {
+            OpenSystemError::require_thermal(damping.friction(), 0.0)?;
         }
-        if let Some(NoiseTerms { fields: NoiseFields::Isotropic(noise), .. }) = &self.noise
-            && !(noise.strength >= 0.0 && noise.strength.is_finite())
-        {
-            return Err(OpenSystemError::Strength { strength: noise.strength });
+        match noise {
+            Some(NoiseFields::Isotropic(noise))
+                if !(noise.strength >= 0.0 && noise.strength.is_finite()) =>
+            {
+                return Err(OpenSystemError::Strength { strength: noise.strength });
+            }
+            Some(NoiseFields::OfSpins { damping, temperature }) => {
+                OpenSystemError::require_thermal(*damping, *temperature)?;
+            }
+            _ => {}
         }
         let elements = [("the drive", &self.drive), ("the torque", &self.torque)];
         for (what, formulas) in elements {
             let found = formulas.as_ref().map_or(dimension, Vec::len);
             require_count(what, dimension, found)?;
         }
-        if let Some(NoiseTerms { fields: NoiseFields::Formulas(fields), .. }) = &self.noise {
+        if let Some(NoiseFields::Formulas(fields)) = noise {
             for (k, field) in (1..).zip(fields) {
                 require_count(&format!("field {k} of the noise"), dimension, field.len())?;
             }

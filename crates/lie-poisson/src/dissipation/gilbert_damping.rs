@@ -114,16 +114,24 @@ where
     fn element(&self, mu: &Point<P, T>, time: T) -> Differential<P, T> {
         let mut xi = self.field.element(mu, time);
         let rate = self.space.hamiltonian_vector::<T>(mu, &xi);
-        let slower = 1.0 / (1.0 + self.damping * self.damping);
         for spin in 0..Point::<P, T>::DIM / 3 {
-            let [x, y, z] = [0, 1, 2].map(
-                #[cfg_attr(optimised, inline(always))]
-                |k| mu.coordinate(3 * spin + k),
-            );
-            let length = euclidean_norm(&Vector3::new(x, y, z));
-            for i in 3 * spin..3 * spin + 3 {
-                let drag = by_length(rate.coordinate(i), length) * self.damping;
-                xi.set_coordinate(i, (xi.coordinate(i) + drag) * slower);
+            let places = [3 * spin, 3 * spin + 1, 3 * spin + 2];
+            let of_spin = [
+                places.map(
+                    #[cfg_attr(optimised, inline(always))]
+                    |i| mu.coordinate(i),
+                ),
+                places.map(
+                    #[cfg_attr(optimised, inline(always))]
+                    |i| rate.coordinate(i),
+                ),
+                places.map(
+                    #[cfg_attr(optimised, inline(always))]
+                    |i| xi.coordinate(i),
+                ),
+            ];
+            for (i, damped) in places.into_iter().zip(gilbert_element(self.damping, of_spin)) {
+                xi.set_coordinate(i, damped);
             }
         }
         xi
@@ -132,6 +140,27 @@ where
     fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
         self.field.next_break(time, forward)
     }
+}
+
+/// Returns the element (ξ + (α/|s|) r)/(1 + α²) along which one spin s moves by Gilbert's equation with the damping α, of s, the
+/// rate r = Λ(s) ξ that the element ξ makes, and ξ: for spins whose number is known only when the program runs. It is
+/// ξ/(1 + α²) for s = 0, where the damping has no direction.
+///
+/// # Example
+/// ```
+/// use lie_poisson::gilbert_element;
+/// // s = 2e₁ and ξ = e₃ in the minus bracket: r = s × ξ = −2e₂
+/// assert_eq!(gilbert_element(1.0, [[2.0, 0.0, 0.0], [0.0, -2.0, 0.0], [0.0, 0.0, 1.0]]), [0.0, -0.5, 0.5]);
+/// ```
+#[cfg_attr(optimised, inline(always))]
+#[must_use]
+pub fn gilbert_element<T: Real>(damping: f64, [spin, rate, xi]: [[T; 3]; 3]) -> [T; 3] {
+    let (slower, length) = (1.0 / (1.0 + damping * damping), euclidean_norm(&Vector3::from(spin)));
+    let mut damped = xi;
+    for (xi, rate) in damped.iter_mut().zip(rate) {
+        *xi = (*xi + by_length(rate, length) * damping) * slower;
+    }
+    damped
 }
 
 /// Returns x/|s|, and 0 for s = 0, where the damping has no direction. It does not overflow for |x| ≤ |s| |Ω|, as 1/|s|

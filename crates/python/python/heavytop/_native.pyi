@@ -9,7 +9,7 @@ MethodNames = tuple[Optional[str], str, float]
 Setting = tuple[Sequence[float], float, MethodNames]
 Source = Union[str, Sequence[tuple[str, float, int, int, int]]]
 Event = tuple[Source, int, int]
-Damping = tuple[float, Optional[Sequence[float]]]
+Damping = tuple[float, Optional[bool], Optional[Sequence[float]]]
 Noise = tuple[
     Union[tuple[float], tuple[float, Optional[Sequence[float]]], Sequence[Sequence[Source]]],
     Path,

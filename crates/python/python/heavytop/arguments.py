@@ -11,14 +11,27 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 
-def real(name: str, value: Any) -> float:
-    """Returns a finite number."""
+def scalar(name: str, value: Any) -> float:
+    """Returns a number, which may be NaN or infinite."""
     try:
-        number = float(array(name, value)[()])
+        return float(array(name, value)[()])
     except (TypeError, ValueError):
         raise ValueError(f"{name} must be a number, got {value!r}") from None
+
+
+def real(name: str, value: Any) -> float:
+    """Returns a finite number."""
+    number = scalar(name, value)
     if not math.isfinite(number):
         raise ValueError(f"{name} must be finite, got {number}")
+    return number
+
+
+def not_negative(name: str, value: Any) -> float:
+    """Returns a finite number of at least 0."""
+    number = scalar(name, value)
+    if not 0 <= number < math.inf:
+        raise ValueError(f"the {name} must be 0 or a positive number, it is {number:g}")
     return number
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from .arguments import array, choice, count, real
+from .arguments import array, choice, count, not_negative, real
 from .events import Function
 from .symbols import Part
 from .tracing import TIME, in_time, takes_time, trace, trace_element
@@ -115,11 +115,14 @@ def native_open(
     )
 
 
-def native_damping(names: OpenNames, damping: Union[float, Mapping[str, Any]]) -> tuple[float, Optional[list[float]]]:
-    """Returns the friction and the rows of its inner product."""
+def native_damping(names: OpenNames, damping: Union[float, Mapping[str, Any]]) -> _native.Damping:
+    """Returns the friction, whether it is Gilbert's damping, if it has a form, and the rows of its inner product."""
     given = damping if isinstance(damping, Mapping) else {"friction": damping}
-    only("damping", given, ("friction", "inner_product"))
-    return friction_of(given), inner_product(names, given.get("inner_product"))
+    only("damping", given, ("friction", "form", "inner_product"))
+    if "form" not in given:
+        return friction_of(given), None, inner_product(names, given.get("inner_product"))
+    only("damping with form", given, ("friction", "form"))
+    return friction_of(given), is_gilbert(given), None
 
 
 def inner_product(names: OpenNames, given: Optional[ArrayLike]) -> Optional[list[float]]:
@@ -145,9 +148,9 @@ def native_noise(names: OpenNames, noise: Mapping[str, Any]) -> _native.Noise:
     if len(given) != 1 or ("inner_product" in noise and given != ["strength"]):
         raise ValueError("noise has one of temperature, which goes with damping, strength, with or without inner_product, and fields")
     if given == ["temperature"]:
-        source: Any = (real("temperature", noise["temperature"]),)
+        source: Any = (not_negative("temperature", noise["temperature"]),)
     elif given == ["strength"]:
-        source = (real("strength", noise["strength"]), inner_product(names, noise.get("inner_product")))
+        source = (not_negative("strength", noise["strength"]), inner_product(names, noise.get("inner_product")))
     else:
         fields = noise["fields"]
         if isinstance(fields, (str, Mapping)) or callable(fields):
@@ -188,8 +191,12 @@ def lattice_damping(damping: Union[float, Mapping[str, Any]]) -> tuple[float, bo
     """Returns the friction of spins on a lattice, and whether it is Gilbert's damping."""
     given = damping if isinstance(damping, Mapping) else {"friction": damping}
     only("damping of a lattice", given, ("friction", "form"))
-    form = choice("form", given.get("form", "landau-lifshitz"), ("landau-lifshitz", "gilbert"))
-    return friction_of(given), form == "gilbert"
+    return friction_of(given), is_gilbert(given)
+
+
+def is_gilbert(damping: Mapping[str, Any]) -> bool:
+    """Returns whether a damping of spins is Gilbert's."""
+    return choice("form", damping.get("form", "landau-lifshitz"), ("landau-lifshitz", "gilbert")) == "gilbert"
 
 
 def lattice_noise(noise: Mapping[str, Any]) -> tuple[float, _native.Path]:
@@ -197,7 +204,7 @@ def lattice_noise(noise: Mapping[str, Any]) -> tuple[float, _native.Path]:
     only("noise of a lattice", mapping("noise", noise, "{'temperature': 0.5}"), ("temperature", *PATH))
     if "temperature" not in noise:
         raise ValueError("noise of a lattice has no temperature")
-    return real("temperature", noise["temperature"]), native_path(noise)
+    return not_negative("temperature", noise["temperature"]), native_path(noise)
 
 
 def fluid_damping(damping: Any) -> tuple[float, int, float]:
@@ -259,7 +266,7 @@ def friction_of(given: Mapping[str, Any]) -> float:
     """Returns the friction of a damping."""
     if "friction" not in given:
         raise ValueError("damping has no friction")
-    return real("friction", given["friction"])
+    return not_negative("friction", given["friction"])
 
 
 def only(name: str, given: Mapping[str, Any], keys: Sequence[str]) -> None:

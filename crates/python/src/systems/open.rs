@@ -4,7 +4,7 @@ use crate::errors::refused;
 use crate::formulas::FormulaSource;
 use collective_integrators::NoiseRule;
 use core::ops::Deref;
-use lie_poisson::{InputTable, Interpolation, IsotropicNoise};
+use lie_poisson::{InnerProduct, InputTable, Interpolation, IsotropicNoise};
 use lie_poisson_formula_systems::{
     Damping, FormulaSystem, NamedInputs, NoiseFields, NoiseTerms, OpenNames, OpenSystem,
     OpenSystemError, OpenTerms,
@@ -25,8 +25,8 @@ pub(crate) type InputArgument = (String, Vec<f64>, Vec<f64>, String);
 /// A formula for each coordinate.
 type Element = Vec<FormulaSource>;
 
-/// The friction, and the rows of the inner product.
-type DampingArgument = (f64, Option<Vec<f64>>);
+/// The friction; whether it is Gilbert's damping, if it has a form, which is of spins; and the rows of the inner product.
+type DampingArgument = (f64, Option<bool>, Option<Vec<f64>>);
 
 /// The noise; its seed, path, interval and bound; and whether its fields act one after the other.
 type NoiseArgument = (NoiseSource, PathArgument, bool);
@@ -79,8 +79,19 @@ pub(crate) fn terms(
         element.iter().map(|source| source.formula(names.vocabulary())).collect()
     };
     let product = |rows: &Option<Vec<f64>>| names.inner_product(rows.as_deref()).map_err(refused);
-    let damping = damping.as_ref().map(|(friction, rows)| {
-        Ok::<_, PyErr>(Damping { friction: *friction, inner_product: product(rows)? })
+    let damping = damping.as_ref().map(|(friction, is_gilbert, rows)| {
+        let friction = *friction;
+        if is_gilbert.is_some() {
+            names.require_spins().map_err(refused)?;
+        }
+        Ok::<_, PyErr>(match is_gilbert {
+            Some(true) => Damping::Gilbert(friction),
+            // Several spins have one friction, without a choice of units.
+            Some(false) => {
+                Damping::DoubleBracket { friction, inner_product: InnerProduct::euclidean() }
+            }
+            None => Damping::DoubleBracket { friction, inner_product: product(rows)? },
+        })
     });
     let damping = damping.transpose()?;
     let noise = noise.as_ref().map(|(source, (seed, path, interval, bound), is_alternating)| {

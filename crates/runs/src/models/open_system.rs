@@ -37,8 +37,8 @@ impl Model for OpenSystem {
         }
     }
 
-    fn noise_angle(&self, _start: &[f64], step: f64) -> Option<f64> {
-        OpenSystem::noise_angle(self, step)
+    fn noise_angle(&self, start: &[f64], step: f64) -> Option<f64> {
+        OpenSystem::noise_angle(self, start, step)
     }
 
     fn move_path(&self, state: &mut [f64], on: u64) {

@@ -101,8 +101,8 @@ impl Model for OpenTop {
         self.system.order(method)
     }
 
-    fn noise_angle(&self, _start: &[f64], step: f64) -> Option<f64> {
-        self.system.noise_angle(step)
+    fn noise_angle(&self, start: &[f64], step: f64) -> Option<f64> {
+        self.system.noise_angle(start, step)
     }
 
     fn move_path(&self, state: &mut [f64], on: u64) {

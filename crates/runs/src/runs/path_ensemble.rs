@@ -31,7 +31,7 @@ const MOST_TOGETHER: u64 = 256;
 /// use lie_poisson::InnerProduct;
 /// use lie_poisson_formula_systems::{Damping, FormulaSystem, NoiseFields, NoiseTerms, OpenSystem, OpenTerms, SystemAlgebra};
 /// use lie_poisson_runs::{Experiment, Pace, PathEnsemble, Schedule};
-/// let damping = Some(Damping { friction: 1.0, inner_product: InnerProduct::euclidean() });
+/// let damping = Some(Damping::DoubleBracket { friction: 1.0, inner_product: InnerProduct::euclidean() });
 /// let fields = NoiseFields::thermal(damping.as_ref(), 0.5)?;
 /// let rule = Default::default();
 /// let noise = Some(NoiseTerms { fields, seed: 1, path: 0, rule, interval: None, bound: None });

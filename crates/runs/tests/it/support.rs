@@ -60,7 +60,8 @@ pub fn of_formula(
 pub fn noisy(algebra: &str, hamiltonian: &str, pace: Pace) -> Experiment<OpenSystem> {
     let algebra = SystemAlgebra::named(algebra).unwrap();
     let base = FormulaSystem::new(algebra, hamiltonian, &Parameters::new()).unwrap();
-    let damping = Some(Damping { friction: 1.0, inner_product: InnerProduct::euclidean() });
+    let damping =
+        Some(Damping::DoubleBracket { friction: 1.0, inner_product: InnerProduct::euclidean() });
     let fields = NoiseFields::thermal(damping.as_ref(), 0.5).unwrap();
     let (rule, interval, bound) = (NoiseRule::Together, None, None);
     let noise = Some(NoiseTerms { fields, seed: 1, path: 0, rule, interval, bound });

@@ -21,7 +21,7 @@ pub fn errors() -> Vec<String> {
     let base = FormulaSystem::new(algebra("so(3)"), "Pi3", &Parameters::new()).unwrap();
     let open = |terms| OpenSystem::new(base.clone(), terms, 0.1);
     let damped = |friction, inner_product| {
-        let damping = Some(Damping { friction, inner_product });
+        let damping = Some(Damping::DoubleBracket { friction, inner_product });
         OpenTerms { damping, ..OpenTerms::default() }
     };
     let noise = |strength, bound| {

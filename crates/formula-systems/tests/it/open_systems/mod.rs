@@ -4,5 +4,6 @@ mod driven_formulas;
 mod forced_formulas;
 mod laws_of_open_systems;
 mod noisy_formulas;
+mod gilbert_spins;
 mod open_refusals;
 mod support;

@@ -15,6 +15,7 @@ pub struct Texts {
     pub inputs: Vec<(&'static str, InputTable)>,
     pub drive: Option<Vec<&'static str>>,
     pub friction: Option<f64>,
+    pub gilbert: Option<f64>,
     pub product: Option<Vec<f64>>,
     pub noise: Option<Vec<Vec<&'static str>>>,
     pub temperature: Option<f64>,
@@ -41,7 +42,8 @@ pub fn open(
         .product
         .as_deref()
         .map_or(Ok(InnerProduct::euclidean()), |rows| names.inner_product(Some(rows)))?;
-    let damping = texts.friction.map(|friction| Damping { friction, inner_product: product });
+    let bracket = |friction| Damping::DoubleBracket { friction, inner_product: product.clone() };
+    let damping = texts.friction.map(bracket).or(texts.gilbert.map(Damping::Gilbert));
     let fields = match (&texts.noise, texts.temperature) {
         (Some(fields), _) => {
             let fields =

@@ -1,6 +1,7 @@
 //! The table `[damping]`: [`DampingConfig`].
 
 use crate::errors::{Error, SystemTableError};
+use lie_poisson::InnerProduct;
 use lie_poisson_formula_systems::{Damping, OpenNames};
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +13,7 @@ pub struct DampingConfig {
     /// The friction θ, at least 0; or Gilbert's α.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub friction: Option<f64>,
-    /// Of a lattice of spins, which damping this is.
+    /// Of spins, which damping this is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub form: Option<DampingForm>,
     /// Of a fluid on the sphere, the viscosity ν, at least 0: harmonics of degree l decay at the rate α + ν (l(l +
@@ -33,6 +34,7 @@ pub struct DampingConfig {
 /// The keys of `[damping]` and `[noise]` for tops and systems by formula, but for those that every noise has.
 pub(super) const FORMULA_KEYS: &[&str] = &[
     "damping.friction",
+    "damping.form",
     "damping.inner_product",
     "noise.temperature",
     "noise.strength",
@@ -40,11 +42,14 @@ pub(super) const FORMULA_KEYS: &[&str] = &[
     "noise.fields",
     "noise.rule",
 ];
-pub(super) const FORMULAS_HAVE: &str = "tops and systems by formula have friction and inner_product in [damping], and \
-                                        temperature, strength, inner_product, fields, rule, seed, path, interval and \
-                                        bound in [noise]";
+/// The keys of `[damping]` with a form.
+const FORM_KEYS: &[&str] = &["damping.friction", "damping.form"];
+const FORMS_HAVE: &str = "a damping with form, which is of spins, has friction alone beside it";
+pub(super) const FORMULAS_HAVE: &str = "tops and systems by formula have friction and inner_product in [damping], or \
+                                        of spins form, and temperature, strength, inner_product, fields, rule, seed, \
+                                        path, interval and bound in [noise]";
 
-/// The form of the damping of spins on a lattice.
+/// The form of the damping of spins.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum DampingForm {
@@ -100,13 +105,21 @@ impl DampingConfig {
     /// Returns the friction with its inner product.
     ///
     /// # Errors
-    /// If the inner product is none, or is missing where it needs a choice.
+    /// If the inner product is none, is missing where it needs a choice, or stands beside a form, which is of spins alone.
     pub(super) fn damping(&self, names: &OpenNames, dimension: usize) -> Result<Damping, Error> {
         self.require_only(FORMULA_KEYS, FORMULAS_HAVE)?;
         let friction = self.required_friction()?;
+        if self.form.is_some() {
+            names.require_spins()?;
+            self.require_only(FORM_KEYS, FORMS_HAVE)?;
+        }
         let rows = self.inner_product.as_ref().map(|given| given.rows(dimension));
-        let inner_product = names.inner_product(rows.as_deref())?;
-        Ok(Damping { friction, inner_product })
+        let inner_product = match self.form {
+            Some(DampingForm::Gilbert) => return Ok(Damping::Gilbert(friction)),
+            Some(DampingForm::LandauLifshitz) => InnerProduct::euclidean(),
+            None => names.inner_product(rows.as_deref())?,
+        };
+        Ok(Damping::DoubleBracket { friction, inner_product })
     }
 }
 

@@ -39,6 +39,10 @@ pub(super) fn keys_of_open(error: &OpenSystemError) -> Vec<(String, &'static str
         }
         E::Strength { .. } => key("noise.strength", "write 0 or more"),
         E::TemperatureAlone => key("noise.temperature", "add [damping], or write strength"),
+        E::TemperatureWithoutFriction { .. } => {
+            ["damping.friction", "noise.temperature"].map(|key| (key.into(), "")).to_vec()
+        }
+        E::NoSpins { .. } => key("damping.form", "leave it out"),
         _ => Vec::new(),
     }
 }

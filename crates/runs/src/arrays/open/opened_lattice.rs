@@ -7,7 +7,7 @@ use super::opened::{Opened, Opening};
 use crate::arrays::sites::open_lattice::OpenLattice;
 use crate::arrays::sites::sites_system::{Momenta, momenta, numbers, total};
 use collective_integrators::{AnyIntegrator, StageSolver};
-use lie_poisson::{DissipationError, Sites, SitesHamiltonian, State, larger};
+use lie_poisson::{Sites, SitesHamiltonian, State, larger};
 use lie_poisson_formula_systems::{FormulaSystemError, OpenSystemError};
 use lie_poisson_systems::{LangevinSpins, SpinDamping};
 use nalgebra::Vector3;
@@ -32,17 +32,12 @@ impl OpenedLattice {
     pub(in crate::arrays) fn of(lattice: &OpenLattice, terms: &LatticeTerms, step: f64) -> Opening {
         let damping = terms.damping.unwrap_or(SpinDamping::LandauLifshitz(0.0));
         let (SpinDamping::LandauLifshitz(friction) | SpinDamping::Gilbert(friction)) = damping;
-        let open = |error: DissipationError| OpenSystemError::from(error);
-        if !(friction >= 0.0 && friction.is_finite()) {
-            return Err(open(DissipationError::Friction { friction }).into());
-        }
+        OpenSystemError::require_thermal(friction, 0.0)?;
         if terms.noise.is_some() && terms.damping.is_none() {
             return Err(OpenSystemError::TemperatureAlone.into());
         }
         let temperature = terms.noise.map_or(0.0, |noise| noise.temperature);
-        if !(temperature >= 0.0 && temperature.is_finite()) {
-            return Err(open(DissipationError::Temperature { temperature }).into());
-        }
+        OpenSystemError::require_thermal(friction, temperature)?;
         let paths = terms.noise.map(|noise| noise.paths);
         let paths = NoisePaths::brownian_of(paths.as_ref(), step)?;
         let langevin = LangevinSpins::new(lattice.clone(), damping, temperature, paths);

@@ -3,6 +3,7 @@
 mod systems_with_forces;
 mod tops_with_forces;
 mod lattices_with_noise;
+mod damped_spins;
 mod fluids_with_forces;
 mod sweeps_with_forces;
 mod refused_forces;

@@ -31,6 +31,31 @@ fn errors_name_the_value_the_bound_and_the_line() {
             "[damping]\nfriction = 1\n[noise]\ntemperature = -1\n",
             &["temperature = -1", "0 or a positive"],
         ),
+        (
+            SPIN,
+            "[damping]\nfriction = 0\n[noise]\ntemperature = 0.5\n",
+            &[
+                "beside temperature = 0.5 the friction must be a positive number",
+                "7",
+                "friction = 0",
+            ],
+        ),
+        (
+            SPIN,
+            "[damping]\nfriction = 1\nform = 'gilbert'\ninner_product = 2\n",
+            &["damping.inner_product", "with form, which is of spins", "leave it out"],
+        ),
+        (SPIN, "[damping]\nform = 'gilbert'\n", &["friction is missing in [damping]"]),
+        (SPIN, "[damping]\nfriction = 1\nform = 'bloch'\n", &["landau-lifshitz", "gilbert"]),
+        (
+            TOP,
+            "[damping]\nfriction = 1\nform = 'gilbert'\n",
+            &[
+                "a form of damping is of spins",
+                "se(3) has friction with inner_product",
+                "form = 'gil",
+            ],
+        ),
         (SPIN, "[noise]\n", &["[noise] has one of temperature"]),
         (SPIN, "[drive]\n", &["[drive] has no formulas"]),
         (SPIN, "[torque]\n", &["[torque] has no formulas"]),

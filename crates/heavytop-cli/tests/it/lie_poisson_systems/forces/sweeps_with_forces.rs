@@ -72,7 +72,7 @@ fn a_row_has_the_bits_of_simulate() {
     for (text, of, names, kept) in [
         (
             SPIN,
-            &[("system.parameters.B", 1.0, 3.0), ("damping.friction", 0.0, 0.3)][..],
+            &[("system.parameters.B", 1.0, 3.0), ("damping.friction", 0.1, 0.3)][..],
             &["Pi1", "Pi2", "Pi3"][..],
             &["h", "c1"][..],
         ),
@@ -137,7 +137,7 @@ fn a_row_has_the_bits_of_simulate() {
 #[test]
 fn no_bit_depends_on_threads() {
     let folder = Folder::new();
-    let of = [("system.parameters.B", 1.0, 3.0), ("damping.friction", 0.0, 0.3)];
+    let of = [("system.parameters.B", 1.0, 3.0), ("damping.friction", 0.1, 0.3)];
     folder.write("a.toml", &format!("{SPIN}{}", axes(&of)));
     for threads in ["1", "4"] {
         let options = ["--threads", threads, "--quiet"];
@@ -158,7 +158,7 @@ fn no_bit_depends_on_threads() {
 fn what_a_sweep_with_forces_does_not_have_is_refused() {
     let folder = Folder::new();
     folder.write("u.csv", "t,u\n0,0.1\n0.2,0.4\n0.5,0.2\n");
-    let friction = [("damping.friction", 0.0, 0.3)];
+    let friction = [("damping.friction", 0.1, 0.3)];
     for (text, of, sets, parts) in [
         (
             SPIN,

@@ -1,4 +1,5 @@
 //! Families of motions that are driven, damped, noisy or under a torque.
 
 mod subject;
+mod thermal_axes;
 pub mod open_family;

@@ -1,6 +1,7 @@
 //! A family of motions that are driven, damped, noisy or under a torque.
 
 use super::subject::Subject;
+use super::thermal_axes::require_thermal;
 use crate::commands::sweep::families::course::Course;
 use crate::commands::sweep::families::family::{
     Family, drift_columns, end_columns, own_integration, require_apart,
@@ -57,6 +58,7 @@ impl OpenFamily {
         let numbers: Vec<_> = forces.iter().flatten().collect();
         require_apart(&of_forces, &numbers, |one, other| one == other)?;
         numbers.iter().try_for_each(|number| require_number(number, &mut config))?;
+        require_thermal(&config, axes)?;
         let subject = Subject::new(&config, &base, &others)?;
         let integration = Integration { formulation: method.formulation(), ..integration };
         Ok((Self { config, base, start, method, subject, forces }, integration))
