@@ -2,6 +2,7 @@
 
 use super::open_field::{Motions, OpenField, OpenState, Scratch};
 use super::open_system::OpenSystem;
+use crate::algebras::family::Family;
 use crate::error::FormulaSystemError;
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use collective_integrators::{
@@ -9,7 +10,7 @@ use collective_integrators::{
     RungeKutta, Scheme, Start, Step, StepError, StepParts, VectorField, affine_flow,
 };
 use core::cell::RefCell;
-use lie_poisson::{Pair, Real, State};
+use lie_poisson::{Momentum, Pair, Real, Se3, State, Vector};
 use momentum_map::LiftError;
 use nalgebra::Vector2;
 use std::sync::Arc;
@@ -37,6 +38,8 @@ pub(super) struct OpenIntegrator {
 pub(super) struct OpenWorkspace<W, T> {
     scheme: W,
     scratch: RefCell<Scratch<T>>,
+    /// Whether states stay where they are on their fibres, as those with tangent vectors do.
+    is_pinned: bool,
 }
 
 impl OpenIntegrator {
@@ -63,10 +66,19 @@ impl OpenIntegrator {
     /// Hides the type of the integrator, whose momenta are as large as a state.
     pub(super) fn erased(self, start: &[f64]) -> AnyIntegrator<dyn AnyTangents> {
         let zeros = |size: usize| AnyState::from_slice(&vec![0.0; size]);
-        let size = self.momenta.as_ref().map_or(start.len(), |(momenta, _)| momenta.size());
-        let attitude = if self.attitude.is_some() { 4 } else { 0 };
-        let state = Pair(zeros(size), Pair(Vector2::zeros(), zeros(attitude)));
-        AnyIntegrator::of_states_with_tangents(self, &state, &AnyState::from_slice(start))
+        let momentum = match self.system.base().algebra().family {
+            // Π and Γ have units of their own, which the structure constants of an algebra do not tell.
+            Family::Motions => AnyState::of(&<Momentum<Se3>>::from_coordinates(|_| 0.0)),
+            _ => AnyState::from_slice(start),
+        };
+        let point = match &self.momenta {
+            Some((momenta, _)) => zeros(momenta.size()),
+            None => momentum.zeros_like(),
+        };
+        let attitude = zeros(if self.attitude.is_some() { 4 } else { 0 });
+        let clock = 2 + attitude.dimension();
+        let state = Pair(point, Pair(Vector2::zeros(), attitude));
+        AnyIntegrator::of_clocked_states(self, (&state, clock), &momentum)
     }
 
     fn dimension(&self) -> usize {
@@ -109,7 +121,7 @@ impl<T: Real> Integrator<T> for OpenIntegrator {
 
     fn workspace(&self) -> Self::Workspace {
         let scratch = Scratch::new(self.dimension());
-        OpenWorkspace { scheme: self.scheme.workspace(), scratch }
+        OpenWorkspace { scheme: self.scheme.workspace(), scratch, is_pinned: false }
     }
 
     fn step(
@@ -119,13 +131,17 @@ impl<T: Real> Integrator<T> for OpenIntegrator {
         workspace: &mut Self::Workspace,
     ) -> Result<Step<OpenState<T>>, StepError> {
         let mut point = state.clone();
-        self.move_back(&mut point);
+        let OpenWorkspace { scheme, scratch, is_pinned } = workspace;
+        if !*is_pinned {
+            self.move_back(&mut point);
+        }
         let clock = point.1.0;
+        // Tangent vectors compare motions at the same time and on the same path, whatever the derivatives of the clock are.
+        point.1.0 = clock.map(|x| x.lane_by_lane(x, |x, _| x));
         let inputs = &self.system.terms().inputs;
-        let OpenWorkspace { scheme, scratch } = workspace;
         let momenta = self.momenta.as_ref().map(|(momenta, sign)| (&**momenta, *sign));
         let iterations = self.parts().make(
-            (clock.x, clock.y),
+            (point.1.0.x, point.1.0.y),
             step,
             |time, forward| inputs.next_break(time, forward),
             |window, part| {
@@ -159,12 +175,17 @@ impl<T: Real> Integrator<T> for OpenIntegrator {
             },
         )?;
         // The weights of a method add up to 1 but for rounding, which would make the time drift.
-        point.1.0.y = clock.y + T::from_f64(step / self.system.interval());
+        let elapsed = T::from_f64(step / self.system.interval());
+        point.1.0 = Vector2::new(clock.x, clock.y + elapsed);
         Ok(Step { point, iterations })
     }
 
     fn forget(&self, workspace: &mut Self::Workspace) {
         self.scheme.forget(&mut workspace.scheme);
+    }
+
+    fn pin(&self, workspace: &mut Self::Workspace) {
+        workspace.is_pinned = true;
     }
 
     fn momentum(&self, Pair(z, _): &OpenState<T>) -> AnyState<T> {

@@ -69,7 +69,7 @@ impl AnyIntegrator {
     where
         I: Start<Momentum: State> + Send + Sync + 'static,
     {
-        Self(Box::new(erased(integrator, state, (momentum, momentum.dimension()))))
+        Self(Box::new(erased(integrator, (state, 0), (momentum, momentum.dimension()))))
     }
 }
 
@@ -83,7 +83,47 @@ impl AnyIntegrator<dyn AnyTangents> {
     where
         I: Start<Momentum: State> + TangentIntegrator + Send + Sync + 'static,
     {
-        Self(Box::new(erased(integrator, state, (momentum, momentum.dimension()))))
+        Self::of_clocked_states(integrator, (state, 0), momentum)
+    }
+
+    /// Hides the type of an integrator that has tangent maps and whose states end with the coordinates of a clock, so many of them:
+    /// the time, say, and the number of a path. Tangent vectors compare motions at the same time, and have zeros there.
+    ///
+    /// # Example
+    /// The number x of dx/dt = −x + t, beside the time:
+    /// ```
+    /// use collective_integrators::{AnyIntegrator, AnyState, Direct, RungeKutta, Start, TangentFrame, VectorField};
+    /// use lie_poisson::Real;
+    /// use nalgebra::{Vector1, Vector2};
+    /// struct Driven;
+    /// impl<T: Real> VectorField<T> for Driven {
+    ///     type Point = Vector2<T>;
+    ///     fn at(&self, z: &Vector2<T>) -> Vector2<T> {
+    ///         Vector2::new(z.y - z.x, T::one())
+    ///     }
+    /// }
+    /// let rk4 = Direct::new(RungeKutta::rk4(), Driven);
+    /// let zero = Vector2::zeros();
+    /// let driven = AnyIntegrator::of_clocked_states(rk4, (&zero, 1), &zero);
+    /// assert_eq!((driven.state_dimension(), driven.tangent_dimension()), (2, 1));
+    /// let start = driven.start(&AnyState::from_slice(&[3.0, 0.0]))?;
+    /// let mut frame = TangentFrame::generic(&driven, start, (1, driven.tangent_dimension()), 0.01);
+    /// frame.normalise()?;
+    /// for _ in 0..100 {
+    ///     frame.advance()?;
+    /// }
+    /// assert!((frame.normalise()?[0] - (-1.0_f64).exp()).abs() < 1e-10);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of_clocked_states<I>(
+        integrator: I,
+        (state, clock): (&StateOf<I>, usize),
+        momentum: &MomentumOf<I>,
+    ) -> Self
+    where
+        I: Start<Momentum: State> + TangentIntegrator + Send + Sync + 'static,
+    {
+        Self(Box::new(erased(integrator, (state, clock), (momentum, momentum.dimension()))))
     }
 
     /// Hides the type of an integrator that has tangent maps, as [`new`](AnyIntegrator::new) does.
@@ -108,7 +148,14 @@ impl<K: ?Sized + AnyStart> AnyIntegrator<K> {
         self.0.state_dimension()
     }
 
-    /// Returns whether the states are momenta, so that its tangent vectors are those of momenta.
+    /// Returns the number of coordinates of the states along which there are tangent vectors: all but those of a
+    /// [clock](AnyIntegrator::of_clocked_states).
+    #[must_use]
+    pub fn tangent_dimension(&self) -> usize {
+        self.0.tangent_dimension()
+    }
+
+    /// Returns whether the states are momenta, with or without a clock, so that its tangent vectors are those of momenta.
     #[must_use]
     pub fn states_are_momenta(&self) -> bool {
         self.0.states_are_momenta()
@@ -127,19 +174,19 @@ fn small<I: Start<State: Vector, Momentum: Vector>>(
     dimension: usize,
 ) -> ErasedOf<I> {
     let (state, momentum) = (Vector::from_coordinates(|_| 0.0), Vector::from_coordinates(|_| 0.0));
-    erased(integrator, &state, (&momentum, dimension))
+    erased(integrator, (&state, 0), (&momentum, dimension))
 }
 
-/// Hides the type of an integrator on states and momenta as large as these. The first coordinates of the momenta,
-/// `dimension` of them, are those of the system.
+/// Hides the type of an integrator on states, with so many coordinates of a clock, and momenta as large as these. The first
+/// coordinates of the momenta, `dimension` of them, are those of the system.
 fn erased<I: Start<Momentum: State>>(
     integrator: I,
-    state: &StateOf<I>,
+    (state, clock): (&StateOf<I>, usize),
     (momentum, dimension): (&MomentumOf<I>, usize),
 ) -> ErasedOf<I> {
     let shapes = (state.shape(), momentum.shape());
     let dimensions = (state.dimension(), momentum.dimension());
-    Erased { integrator, shapes, dimensions, momenta: BlockEnds::of(momentum, dimension) }
+    Erased { integrator, shapes, dimensions, clock, momenta: BlockEnds::of(momentum, dimension) }
 }
 
 impl<K: ?Sized> fmt::Debug for AnyIntegrator<K> {

@@ -3,6 +3,7 @@
 use crate::stages::flat_state::Four;
 use lie_poisson::{Blocks, Real, State};
 use smallvec::SmallVec;
+use std::collections::BTreeSet;
 
 /// The number of coordinates that need no storage on the heap.
 const FEW: usize = 12;
@@ -37,10 +38,12 @@ impl BlockEnds {
     pub(super) fn of<V: State>(v: &V, dimension: usize) -> Self {
         let dimension = dimension.min(v.dimension());
         let mut ends = [dimension; MOST_BLOCKS];
+        // Vectors whose blocks are known only when the program runs leave out numbers.
+        let numbers: BTreeSet<usize> = (0..dimension).map(|i| v.block(i)).collect();
         // The last end stays the dimension.
         let [before_last @ .., _] = &mut ends;
         for i in (0..dimension).rev() {
-            let before = v.block(i).checked_sub(1);
+            let before = numbers.range(..v.block(i)).count().checked_sub(1);
             if let Some(end) = before.and_then(|before| before_last.get_mut(before)) {
                 *end = i;
             }

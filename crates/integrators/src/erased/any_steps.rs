@@ -85,7 +85,10 @@ pub trait AnyStart: AnySteps<f64> {
     /// Returns the dimension of the states.
     fn state_dimension(&self) -> usize;
 
-    /// Returns whether the states are momenta.
+    /// Returns the number of coordinates of the states along which there are tangent vectors.
+    fn tangent_dimension(&self) -> usize;
+
+    /// Returns whether the states are momenta, with or without a clock.
     fn states_are_momenta(&self) -> bool;
 }
 
@@ -101,6 +104,8 @@ pub(super) struct Erased<I, S, M> {
     pub(super) shapes: (S, M),
     /// The dimensions of the states and of the momenta.
     pub(super) dimensions: (usize, usize),
+    /// The number of the last coordinates of the states that belong to a clock.
+    pub(super) clock: usize,
     /// The blocks of the coordinates of the system.
     pub(super) momenta: BlockEnds,
 }
@@ -231,7 +236,11 @@ where
         self.dimensions.0
     }
 
+    fn tangent_dimension(&self) -> usize {
+        self.dimensions.0.saturating_sub(self.clock)
+    }
+
     fn states_are_momenta(&self) -> bool {
-        self.dimensions.0 == self.dimensions.1
+        self.tangent_dimension() == self.dimensions.1
     }
 }

@@ -86,7 +86,7 @@ impl TangentGrowth {
     ) -> Result<Self, RunFailure> {
         let state = integrator.start(start)?;
         // Tangent vectors are zero along coordinates that complete a space of momenta to the width of its type.
-        let width = integrator.state_dimension();
+        let width = integrator.tangent_dimension();
         let dimension = if integrator.states_are_momenta() { start.dimension() } else { width };
         let follow = match tangents {
             0 => follow::<0>,

@@ -7,3 +7,4 @@ mod noisy_formulas;
 mod gilbert_spins;
 mod open_refusals;
 mod support;
+mod tangents_of_open_systems;
