@@ -76,6 +76,8 @@ mod _native {
     #[pymodule_export]
     use crate::systems::many::{advance_system, growth_of_system};
     #[pymodule_export]
+    use crate::systems::paths::statistics_of_paths;
+    #[pymodule_export]
     use crate::systems::system::System;
     #[pymodule_export]
     use crate::tops::chaos::growth_of_tops;

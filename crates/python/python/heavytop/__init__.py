@@ -32,6 +32,7 @@ from .ensembles import solve_many
 from .events import Event
 from .kinds import BodyInFluid, EllipticalVortex, Gyrostat, RigidBody, Satellite, SpinChain, TopOnBase, Vortices
 from .methods import FORMULATIONS, SCHEMES
+from .paths import PathStatistics, Statistics, solve_paths
 from .realisation import Realisation
 from .solution import Crossings, Solution
 from .system import System
@@ -53,6 +54,7 @@ __all__ = [
     "Gyrostat",
     "IntegrationError",
     "ManyVortices",
+    "PathStatistics",
     "Realisation",
     "Report",
     "RigidBody",
@@ -62,6 +64,7 @@ __all__ = [
     "SphereFluid",
     "SpinChain",
     "SpinLattice",
+    "Statistics",
     "System",
     "Top",
     "TopOnBase",
@@ -71,5 +74,6 @@ __all__ = [
     "functions",
     "lyapunov",
     "solve_many",
+    "solve_paths",
     "vertical",
 ]

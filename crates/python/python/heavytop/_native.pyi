@@ -181,6 +181,12 @@ class Arrays:
 def advance_system(
     system: Union[System, Arrays], states: Floats, step: float, end: float, method: MethodNames
 ) -> tuple[Floats, list[tuple[int, str]]]: ...
+def statistics_of_paths(
+    system: Union[System, Arrays],
+    setting: Setting,
+    extent: tuple[float, int, int],
+    quantiles: Sequence[float],
+) -> tuple[list[float], Floats]: ...
 def growth_of_system(
     system: Union[System, Arrays],
     states: Floats,

@@ -134,6 +134,10 @@ class ArraySystem(System):
     def _solved(self, run: Solution) -> ArraySolution:
         return ArraySolution(**{field.name: getattr(run, field.name) for field in fields(Solution)})
 
+    def _named(self, states: Floats, name: str) -> Floats:
+        """Returns the samples of an array, of shape (n, ...), by name, from states in columns."""
+        return arrays_of(self._arrays.arrays, states.T, name)
+
     def section(self, *_: Any, **__: Any) -> Any:
         """Raises ValueError: sections are of systems of few coordinates."""
         raise ValueError("a system of arrays has no sections")

@@ -94,7 +94,7 @@ def solve_many(
     1024 steps at most.
 
     Of a system with noise, member i has the path of that number, counted from the path that its `noise` has: many equal states are an
-    ensemble, whose means and quantiles are those of `Ends.y`.
+    ensemble, whose means and quantiles are those of `Ends.y`. `solve_paths` has them at other times, too, and keeps no path.
 
     The last states of a system have the bits of those of `System.solve`. Tops are followed in the SIMD lanes of the
     processor by other arithmetic than that of `Top.solve`: the same method, from which they differ by rounding errors.

@@ -93,11 +93,7 @@ class Solution:
 
     def __getitem__(self, name: str) -> Floats:
         """Returns the rows of a coordinate or of a vector of coordinates, by name."""
-        names = self._run.names
-        if name not in names:
-            raise KeyError(f"the coordinates are {', '.join(names)}, got {name!r}")
-        places = names[name]
-        return self.y[places] if places.stop - places.start > 1 else self.y[places.start]
+        return rows_of(self._run.names, self.y, name)
 
     @property
     def Pi(self) -> Floats:
@@ -289,6 +285,14 @@ def names_of_groups(groups: Iterable[tuple[str, int]]) -> dict[str, slice]:
             names[f"{name}{separator}{i + 1}"] = slice(start + i, start + i + 1)
         start += width
     return names
+
+
+def rows_of(names: Mapping[str, slice], states: Floats, name: str) -> Floats:
+    """Returns the rows of a coordinate or of a vector of coordinates, by name, from states in columns."""
+    if name not in names:
+        raise KeyError(f"the coordinates are {', '.join(names)}, got {name!r}")
+    places = names[name]
+    return states[places] if places.stop - places.start > 1 else states[places.start]
 
 
 @dataclass(frozen=True, eq=False, repr=False)

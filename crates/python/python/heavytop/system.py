@@ -15,7 +15,7 @@ from .accuracy import warn_of_accuracy
 from .arguments import array, choice, course, flag, real
 from .arguments import count as whole
 from .events import Events, Function, NativeEvent, native_events, surface_source
-from .solution import NEVER, Crossings, Floats, Run, Solution, crossings, solution, solution_at
+from .solution import NEVER, Crossings, Floats, Run, Solution, crossings, rows_of, solution, solution_at
 from .system_description import State, SystemDescription
 
 
@@ -284,6 +284,10 @@ class System(SystemDescription):
 
     def _solved(self, run: Solution) -> Solution:
         return run
+
+    def _named(self, states: Floats, name: str) -> Floats:
+        """Returns the rows of a coordinate or of a vector of coordinates, by name, from states in columns."""
+        return rows_of(self._names, states, name)
 
     def _on_path(self, path: Optional[int]) -> _native.System:
         return self._system if path is None else self._system.on_path(whole("path", path, 0))

@@ -33,14 +33,15 @@ pub enum AnySystem<'py> {
 
 impl AnySystem<'_> {
     /// Returns the model of runs with steps of a size.
-    fn model(&self, step: f64) -> PyResult<ModelOfRun<'_>> {
+    pub(crate) fn model(&self, step: f64) -> PyResult<ModelOfRun<'_>> {
         match self {
             Self::Formula(system) => system.model(step),
             Self::Arrays(arrays) => arrays.model(step),
         }
     }
 
-    fn method(&self, method: MethodArgument) -> PyResult<Method> {
+    /// Returns the method of these names.
+    pub(crate) fn method(&self, method: MethodArgument) -> PyResult<Method> {
         match self {
             Self::Formula(system) => system.method(method),
             Self::Arrays(arrays) => arrays.method(method),
@@ -187,7 +188,9 @@ pub fn growth_of_system(
     let model = &*model;
     let starts: Vec<Vec<f64>> = states.as_array().outer_iter().map(|row| row.to_vec()).collect();
     let first = starts.first().map(Vec::as_slice).unwrap_or_default();
-    if let Err(error @ RunFailure::NoTangents { .. }) = model.tangent_integrator(&method, first) {
+    if let Err(error @ (RunFailure::NoTangents { .. } | RunFailure::NoTangentsOfForces { .. })) =
+        model.tangent_integrator(&method, first)
+    {
         return Err(refused(error));
     }
     growth_of_models(py, &[model], &starts, times, (&method, exponents))

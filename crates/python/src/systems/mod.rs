@@ -4,4 +4,5 @@ pub(crate) mod algebra;
 pub(crate) mod arrays;
 pub(crate) mod system;
 pub(crate) mod many;
+pub(crate) mod paths;
 pub(crate) mod open;
