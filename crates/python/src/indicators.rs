@@ -5,6 +5,7 @@ use crate::runs::growth::{Growth, GrowthTask};
 use crate::runs::interruption::until_interrupted;
 use core::sync::atomic::Ordering;
 use heavytop::methods::Method;
+use lie_poisson_formula_systems::{OpenSystem, OpenSystemError};
 use lie_poisson_runs::{Model, Schedule};
 use pyo3::{PyResult, Python, pyclass};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
@@ -40,7 +41,15 @@ pub(crate) fn growth_of_models(
             let model = *of(index).ok_or("there is no system")?;
             let integrator = model.tangent_integrator(method, start);
             let integrator = integrator.map_err(|error| message(&error))?;
-            let task = GrowthTask { start, schedule, every, stop, exponents };
+            let (member, noise) = (index as u64, model.noise());
+            if let Some((_, first)) = noise
+                && first.saturating_add(member) >= OpenSystem::PATHS
+            {
+                let (path, most) = (first.saturating_add(member), OpenSystem::PATHS);
+                return Err(message(&OpenSystemError::PathNumber { path, most }));
+            }
+            let on_path = |state: &mut [f64]| model.move_path(state, member);
+            let task = GrowthTask { start, schedule, every, stop, exponents, on_path: &on_path };
             let mut grown = task.grow(&integrator)?;
             model.present(&mut grown.end);
             Ok(grown)

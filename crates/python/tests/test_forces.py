@@ -9,6 +9,8 @@ from heavytop import System, lyapunov, solve_many
 
 SPIN = [1.0, 0.0, 0.0]
 
+INPUTS = {"u": ([0, 2.03, 5], [0, 0.4, -0.2], "linear")}
+
 
 def test_a_function_of_time_is_the_formula():
     text = System("so(3)", "-2*Pi3 - 0.3*(cos(2*t)*Pi1 - sin(2*t)*Pi2)", bracket="plus")
@@ -102,6 +104,46 @@ def test_noise_by_fields_and_by_a_strength():
     assert np.abs(one.solve(SPIN, step=0.1, end=5).y - other.solve(SPIN, step=0.1, end=5).y).max() < 1e-12
 
 
+def test_exponents_of_a_damped_spin_are_those_of_the_friction():
+    """At the pole small vectors across shrink at theta B |Pi|, and those along Pi stay, since |Pi|^2 is a Casimir."""
+    spin = System("so(3)", "-1.5*Pi3", damping=0.3)
+    found = lyapunov(spin, [0, 0, 2], step=0.1, end=100, exponents=3)
+    assert found.exponents.sum() == pytest.approx(-2 * 0.3 * 1.5 * 2, abs=1e-12)
+    # Finding the direction that stays costs a stretch of about 1.
+    assert np.abs(found.exponents - [0, -0.9, -0.9]).max() < 0.03
+    assert np.abs(found.exponents + 0.9).max() > 0.5, "control"
+    # A torque -k Pi shrinks every vector.
+    slowed = System("so(3)", "cos(t)*Pi1", torque=lambda x: -0.2 * x.Pi)
+    found = lyapunov(slowed, SPIN, step=0.1, end=20, exponents=3, every=50)
+    assert np.abs(found.exponents + 0.2).max() < 1e-12 and found.exponents.shape == (3, 4)
+
+
+def test_tangent_vectors_of_a_driven_body_are_differences_of_runs():
+    body = System("so(3)", "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2 + 0.5*cos(1.3*t)*Pi1", damping={"friction": 0.02}, inputs=INPUTS, drive=["0", "u", "0"])
+    start, step, end = np.array([0.1, 1.0, 0.2]), 0.1, 5
+    found = lyapunov(body, start, step=step, end=end, exponents=3)
+    ends = [body.solve(start + small * e, step=step, end=end, formulation="direct").y[:, -1] for e in np.eye(3) for small in (1e-5, -1e-5)]
+    derivative = np.array([(after - before) / 2e-5 for after, before in zip(ends[::2], ends[1::2])]).T
+    # The volume of the parallelepiped of all tangent vectors is the determinant of the derivative. Central differences are right to 1e-9.
+    assert found.exponents.sum() * end == pytest.approx(np.log(np.linalg.det(derivative)), abs=1e-8)
+    assert np.array_equal(found.y, body.solve(start, step=step, end=end, formulation="direct").y[:, -1])
+    # Control: without the friction the volume stays.
+    free = System("so(3)", "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2 + 0.5*cos(1.3*t)*Pi1", inputs=INPUTS, drive=["0", "u", "0"])
+    assert abs(lyapunov(free, start, step=step, end=end, exponents=3).exponents.sum()) < 1e-12 < abs(found.exponents.sum())
+
+
+def test_exponents_of_noisy_motions_are_those_of_their_paths():
+    warm = System("so(3)", "-Pi3", damping=1, noise={"temperature": 0.1})
+    many = lyapunov(warm, np.tile([[1.0], [0], [0]], 3), step=0.1, end=10, exponents=2)
+    for path in range(3):
+        one = lyapunov(System("so(3)", "-Pi3", damping=1, noise={"temperature": 0.1, "path": path}), SPIN, step=0.1, end=10, exponents=2)
+        assert np.array_equal(one.exponents, many.exponents[:, path])
+        assert np.array_equal(one.y, warm.solve(SPIN, step=0.1, end=10, path=path, formulation="direct").y[:, -1])
+    assert len(np.unique(many.exponents[1])) == 3 and (many.exponents[1] < -0.3).all()
+    last = System("so(3)", "-Pi3", noise={"strength": 0.1, "path": 2**53 - 1})
+    assert set(lyapunov(last, np.tile([[1.0], [0], [0]], 2), step=0.1, end=1).failures) == {1}
+
+
 def test_a_kind_may_have_forces():
     gyrostat = {"kind": "body-with-rotors", "parameters": {"I": [1, 2, 3], "J": [0.1, 0.2]}}
     start = {"Pi": [0.3, 1, 0.2], "l": [0.2, 0.1]}
@@ -158,8 +200,6 @@ def test_what_there_is_not_is_refused_with_a_reason():
         System("so(3)", "Pi3", noise={"strength": 1, "interval": 1e-6}).solve(SPIN, step=0.1, end=1)
     with pytest.warns(RuntimeWarning, match="the noise turns the state by about 3.2e-1|a third is safe"):
         System("so(3)", "Pi3", noise={"strength": 2.0}).solve(SPIN, step=0.1, end=1)
-    with pytest.raises(ValueError, match="nothing drives, damps"):
-        lyapunov(damped, SPIN, step=0.1, end=1)
     with pytest.raises(ValueError, match="6 rows"):
         System("se(3)", "|Pi|^2 + Gamma3", damping=1)
     with pytest.raises(TypeError):

@@ -123,7 +123,7 @@ def test_what_there_is_not_is_refused_with_a_reason():
         carried.solve(EDDIES, step=0.1, end=1, scheme="gauss-8")
     with pytest.raises(ValueError, match="formulation must be one of reduced"):
         carried.solve(EDDIES, step=0.1, end=1, formulation="direct")
-    with pytest.raises(ValueError, match="nothing drives, damps"):
+    with pytest.raises(ValueError, match="with friction, forces or noise has no tangent vectors"):
         lyapunov(carried, EDDIES, step=0.1, end=1)
     with pytest.raises(ValueError, match="of the systems of arrays sphere-fluid has one"):
         ArraySystem("spin-lattice", {"shape": [4], "exchange": 1.0}, torque={"coefficients": [[1, 0, 1, 0]]})

@@ -135,7 +135,7 @@ def test_what_there_is_not_is_refused_with_a_reason():
         warm.solve(UP, step=0.05, end=1, scheme="gauss-8")
     with pytest.raises(ValueError, match="formulation must be one of direct"):
         warm.solve(UP, step=0.05, end=1, formulation="reduced")
-    with pytest.raises(ValueError, match="nothing drives, damps"):
+    with pytest.raises(ValueError, match="with friction, forces or noise has no tangent vectors"):
         lyapunov(damped, UP, step=0.05, end=1)
     with pytest.raises(ValueError, match="must be at least 0.000005"):
         ring(4, 1.0, interval=1e-9).solve(UP, step=0.05, end=1)

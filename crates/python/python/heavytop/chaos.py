@@ -71,6 +71,9 @@ def lyapunov(
     depends on the units of mass, length and time. The exponents converge slowly: for regular motion they vanish as (ln t)/t. MEGNO separates order from
     chaos sooner. A step costs about three plain steps for each tangent vector.
 
+    Something may drive, damp, shake or force the system: nearby motions are then compared at the same time and on the same path of the
+    noise. Of many runs with noise each has the path of its number, counted from that which the noise has, as in `solve_many`.
+
     Args:
         system: a top or a system; or a sequence of n tops, one for each state.
         y0: the initial state, shape (d,), for a top (Pi1, Pi2, Pi3, Gamma1, Gamma2, Gamma3); or n states, shape (d, n). A
@@ -87,7 +90,7 @@ def lyapunov(
             same steps. The default is "reduced" where there is one, and "direct" elsewhere.
 
     Raises:
-        ValueError: if an argument is out of its range, or something drives, damps, shakes or forces the system.
+        ValueError: if an argument is out of its range, or friction, a force or noise acts on a system of arrays.
         IntegrationError: if a step of the only run fails.
 
     Warns:
@@ -106,8 +109,8 @@ def lyapunov(
         (True, True)
     """
     tops = [] if isinstance(system, System) else natives(system)
-    if isinstance(system, System) and system._system.is_open:
-        raise ValueError("lyapunov is of systems that nothing drives, damps, shakes or forces, with a Hamiltonian without time")
+    if isinstance(system, System) and isinstance(system._system, _native.Arrays) and system._system.is_open:
+        raise ValueError("a system of arrays with friction, forces or noise has no tangent vectors: its own steps carry none")
     dimension = system.dimension if isinstance(system, System) else 6
     if y0 is None and not isinstance(system, System):
         raise ValueError("y0 is missing: a top is made without a start")

@@ -39,6 +39,8 @@ pub(crate) struct GrowthTask<'a> {
     pub(crate) stop: &'a AtomicBool,
     /// The number of exponents, each of which needs a tangent vector; `None` follows two, each by itself, for SALI.
     pub(crate) exponents: Option<usize>,
+    /// Moves a state to the path of its own, if there is noise.
+    pub(crate) on_path: &'a dyn Fn(&mut [f64]),
 }
 
 /// An integrator with tangent maps.
@@ -54,8 +56,9 @@ impl GrowthTask<'_> {
             return Err(NO_TANGENTS.into());
         }
         let Schedule { step, steps } = self.schedule;
-        let state =
-            integrator.start(&AnyState::from_slice(self.start)).map_err(|error| message(&error))?;
+        let state = integrator.start(&AnyState::from_slice(self.start));
+        let mut state = state.map_err(|error| message(&error))?;
+        (self.on_path)(state.as_mut_slice());
         // The space may be completed by coordinates that stay zero.
         let numbers = (self.exponents.unwrap_or(2), self.start.len());
         let mut frame = TangentFrame::generic(integrator, state, numbers, step);
