@@ -251,7 +251,7 @@ pub(super) enum Command {
         /// Begin a configuration of many motions, for this command.
         #[arg(long = "for", value_enum, value_name = "COMMAND")]
         map: Option<MapTable>,
-        /// A system by its name, such as spin-lattice, instead of a top.
+        /// A system by its name, such as spin-lattice, or one with forces, stochastic-rigid-body or driven-top.
         #[arg(long, value_name = "NAME", conflicts_with_all = ["preset", "map"])]
         kind: Option<String>,
     },

@@ -30,6 +30,7 @@ from .directions import vertical
 from .ends import Ends
 from .ensembles import solve_many
 from .events import Event
+from .forced_bodies import DrivenTop, StochasticRigidBody
 from .kinds import BodyInFluid, EllipticalVortex, Gyrostat, RigidBody, Satellite, SpinChain, TopOnBase, Vortices
 from .methods import FORMULATIONS, SCHEMES
 from .paths import PathStatistics, Statistics, solve_paths
@@ -47,6 +48,7 @@ __all__ = [
     "Chaos",
     "Check",
     "Crossings",
+    "DrivenTop",
     "EllipticalVortex",
     "Ends",
     "Event",
@@ -65,6 +67,7 @@ __all__ = [
     "SpinChain",
     "SpinLattice",
     "Statistics",
+    "StochasticRigidBody",
     "System",
     "Top",
     "TopOnBase",

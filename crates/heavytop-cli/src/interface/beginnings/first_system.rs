@@ -1,6 +1,7 @@
-//! The command `init --kind`: a configuration of a system by name, with comments, to begin with.
+//! The command `init --kind`: a configuration of a system by name, or of one with forces, with comments, to begin with.
 
 use super::first_configuration::write_new;
+use super::first_forces::WITH_FORCES;
 use crate::errors::{Error, SystemTableError};
 use crate::files::Kind;
 use lie_poisson_formula_systems::{FormulaSystemError, Parameter, SystemKind};
@@ -11,7 +12,9 @@ use std::path::Path;
 const KIND: Kind<'_> = Kind {
     name: "configuration as init writes it",
     first: b"# A system for the program heavytop:",
-    is_whole: |head, _| Ok(TEMPLATES.iter().any(|template| template.text().as_bytes() == head)),
+    is_whole: |head, _| {
+        Ok(names().any(|name| text(name).is_some_and(|text| text.as_bytes() == head)))
+    },
 };
 
 /// A system to begin with: the values of its parameters and of its start that are written, step and end.
@@ -135,11 +138,24 @@ pub(in crate::interface) fn init_system(
     file: Option<&Path>,
     force: bool,
 ) -> Result<(), Error> {
-    let template = TEMPLATES.iter().find(|template| template.kind == kind).ok_or_else(|| {
-        let kinds = TEMPLATES.iter().map(|template| template.kind.to_owned()).collect();
+    let text = text(kind).ok_or_else(|| {
+        let kinds = names().map(str::to_owned).collect();
         SystemTableError::from(FormulaSystemError::NoKind { name: kind.into(), kinds })
     })?;
-    write_new(&template.text(), &KIND, file, force)
+    write_new(&text, &KIND, file, force)
+}
+
+/// Returns the names of all configurations.
+fn names() -> impl Iterator<Item = &'static str> {
+    let with_forces = WITH_FORCES.iter().map(|(name, _)| *name);
+    TEMPLATES.iter().map(|template| template.kind).chain(with_forces)
+}
+
+/// Returns the configuration of a name.
+fn text(name: &str) -> Option<String> {
+    let template = TEMPLATES.iter().find(|template| template.kind == name).map(Template::text);
+    let with_forces = || WITH_FORCES.iter().find(|(own, _)| *own == name);
+    template.or_else(|| with_forces().map(|(_, text)| (*text).to_owned()))
 }
 
 impl Template {
@@ -210,6 +226,12 @@ mod tests {
             let config: Config = toml::from_str(&text).unwrap();
             let run = config.run().unwrap();
             assert_eq!(run.pace.schedule.end(), template.times[1], "{kind}");
+            assert!(text.lines().all(|line| line.chars().count() <= 140), "{text}");
+        }
+        for (name, text) in WITH_FORCES {
+            let run = toml::from_str::<Config>(text).unwrap().run().unwrap();
+            assert!(run.pace.schedule.steps > 1, "{name}");
+            assert!(text.as_bytes().starts_with(KIND.first), "{name}");
             assert!(text.lines().all(|line| line.chars().count() <= 140), "{text}");
         }
         assert!(init_system("spin-latice", None, false).is_err());

@@ -29,6 +29,8 @@ Examples:
   heavytop init top.toml                          # the paper's top
   heavytop init --preset lagrange top.toml
   heavytop init --for sweep map.toml              # many tops, and a map of order and chaos
+  heavytop init --kind vortices a.toml            # a system by name
+  heavytop init --kind driven-top a.toml          # with forces; or stochastic-rigid-body
   heavytop init > top.toml
 A file that has been edited is replaced with --force only.
 A system that is no top has a table [system]: heavytop simulate --help shows some.";

@@ -7,3 +7,4 @@ mod damped_spins;
 mod fluids_with_forces;
 mod sweeps_with_forces;
 mod refused_forces;
+mod begun_with_forces;
