@@ -119,12 +119,13 @@ impl NoiseFields {
         }
     }
 
-    /// Returns whether no field depends on the momentum of an algebra of a dimension; fields may depend on the time and on inputs.
+    /// Returns whether no field changes along the motion that it makes on an algebra of a dimension: it depends on the time and on
+    /// inputs alone, or on the lengths of spins.
     #[must_use]
     pub fn are_constant(&self, dimension: usize) -> bool {
         let is_constant = |formula: &Formula| !(0..dimension).any(|i| formula.depends_on(i));
         match self {
-            Self::Isotropic(_) => true,
+            Self::Isotropic(_) | Self::OfSpins { .. } => true,
             Self::Formulas(fields) => fields.iter().flatten().all(is_constant),
         }
     }

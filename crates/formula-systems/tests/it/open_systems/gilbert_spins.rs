@@ -2,7 +2,7 @@
 
 use super::support::{Texts, after, distance, method, open};
 use collective_integrators::{
-    AnyState, BrownianPaths, Driven, Integrator, Noisy, RungeKutta, Start, fitted_order,
+    AnyState, BrownianPaths, Driven, Integrator, NoiseRule, Noisy, RungeKutta, Start, fitted_order,
 };
 use lie_poisson::{
     Autonomous, Covector, GilbertDamping, LiePoisson, Noise, OrbitField, Pair, PathNumber,
@@ -14,7 +14,7 @@ use lie_poisson_formula_systems::{
 };
 use lie_poisson_formulas::{Coordinates, Parameters};
 use momentum_map::HOPF;
-use nalgebra::Vector3;
+use nalgebra::{Rotation3, Unit, Vector3};
 
 const BODY: &str = "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2";
 const START: [f64; 3] = [0.6, -0.5, 1.2];
@@ -171,6 +171,33 @@ fn a_temperature_is_the_typed_noise_of_the_length() {
         let apart = distance(&found, expected.as_slice());
         // 100 steps of some roundings each.
         assert_eq!(apart < 1e-12, is_same, "{temperature}: {apart:e}");
+    }
+}
+
+/// The strength depends on the length alone, so that each component of the noise turns the spin exactly, by −σΔW about its axis.
+#[test]
+fn components_of_the_noise_turn_a_spin_exactly() {
+    let rule = NoiseRule::Alternating;
+    let texts = Texts { temperature: Some(0.5), rule, ..gilbert(0.7) };
+    let system = open("so(3)", "0*Pi1", &texts, 0.05).unwrap().on_path(7);
+    let found = after(&system, ("collective", "implicit-midpoint"), &START, 0.05, 40);
+    let paths = BrownianPaths::new(1, 0.05).unwrap();
+    for keeps_order in [true, false] {
+        let mut spin = Vector3::from(START);
+        let strength = (2.0 * 0.7 / (1.49 * spin.norm()) * 0.5).sqrt();
+        for step in 0..40 {
+            // The last one is the coin.
+            let mut increments = [0.0; 4];
+            paths.write_increments(7, f64::from(step), f64::from(step) + 1.0, &mut increments);
+            let is_forward = (increments[3] >= 0.0) == keeps_order;
+            for k in if is_forward { [0, 1, 2] } else { [2, 1, 0] } {
+                let axis = Unit::new_unchecked(Vector3::ith(k, 1.0));
+                spin = Rotation3::from_axis_angle(&axis, -strength * increments[k]) * spin;
+            }
+        }
+        // 120 turns of some roundings each.
+        let apart = distance(&found, spin.as_slice());
+        assert_eq!(apart < 1e-13, keeps_order, "{apart:e}");
     }
 }
 
