@@ -3,7 +3,7 @@
 mod systems_with_forces;
 mod tops_with_forces;
 mod lattices_with_noise;
-mod damped_spins;
+mod gilbert_damping_by_name;
 mod fluids_with_forces;
 mod sweeps_with_forces;
 mod refused_forces;
