@@ -77,6 +77,7 @@ pub use casimirs::casimir::{Casimir, ScalarFunction};
 pub use catalogue::parameter::{Parameter, ParameterShape, require_parameters};
 pub use catalogue::system_kind::{KindStart, SystemKind};
 pub use error::FormulaSystemError;
+pub use lie_poisson_systems::KeplerOrbit;
 pub use open_system_error::OpenSystemError;
 pub use open_systems::named_inputs::NamedInputs;
 pub use open_systems::open_names::OpenNames;

@@ -260,3 +260,43 @@ def test_a_run_that_has_used_up_its_digits_says_so():
     assert np.abs(a * b - 2).max() < 1e-9 and a[0] == pytest.approx(2) and angle[0] == pytest.approx(0.3)
     with pytest.raises(ValueError, match="strength must be other than 0"):
         heavytop.EllipticalVortex(0)
+
+
+def test_an_ellipse_drives_the_pitch_of_a_satellite():
+    # Linear theory: 2 e/(k - 1) sin nu with k = 3 (I1 - I3)/I2, here 4 e sin nu; what is left is of the order of e^2.
+    def error(e, response=4):
+        boom = heavytop.Satellite([1, 1.2, 0.4], 1.3, eccentricity=e, mean_anomaly=np.pi)
+        run = boom.solve({"relative": [0, -1.3 * 4 * e, 0]}, step=0.1, end=9)
+        assert run.kept == ("c1", "c2", "c3") and run.deviation("c1") < 1e-12
+        return abs(boom.angles(run.y)[1] - response * e * np.sin(1.3 * run.t + np.pi)).max()
+
+    assert error(1e-3) < 4e-5 and abs(error(2e-3) / error(1e-3) - 4) < 0.1
+    assert error(1e-3, 3.8) > 1e-4
+
+
+def test_a_satellite_without_eccentricity_is_that_on_a_circle():
+    start = {"pitch": 0.3, "roll": 0.1}
+    circle = heavytop.Satellite([1, 1.2, 0.4], 1.3).solve(start, step=0.1, end=3)
+    given = heavytop.Satellite([1, 1.2, 0.4], 1.3, eccentricity=0, true_anomaly=1).solve(start, step=0.1, end=3)
+    assert np.array_equal(circle.y, given.y) and given.kept == ("h", "c1", "c2", "c3")
+    ellipse = heavytop.Satellite([1, 1.2, 0.4], 1.3, eccentricity=0.3, true_anomaly=1)
+    run = ellipse.solve(start, step=0.1, end=3, events="orbit_tide - 1.69")
+    assert len(run.t_events[0]) == 1 and not np.allclose(run.y[:, -1], circle.y[:, -1], atol=0.1)
+    other = pickle.loads(pickle.dumps(ellipse))
+    assert np.array_equal(other.solve(start, step=0.1, end=3).y, run.y)
+    ends = heavytop.solve_many(ellipse, [start] * 2, step=0.1, end=3)
+    assert np.array_equal(ends.y[:, 1], run.y[:, -1])
+
+
+@pytest.mark.parametrize(
+    ("orbit", "message"),
+    [
+        ({"eccentricity": -0.1}, "eccentricity must be at least 0 and below 1, got -0.1"),
+        ({"eccentricity": 1}, "eccentricity must be at least 0 and below 1, got 1"),
+        ({"eccentricity": np.nan}, "eccentricity"),
+        ({"eccentricity": 0.1, "mean_anomaly": 1, "true_anomaly": 1}, "true_anomaly must be left out"),
+    ],
+)
+def test_impossible_orbits_are_refused(orbit, message):
+    with pytest.raises(ValueError, match=message):
+        heavytop.Satellite([1, 1.2, 0.4], 1.3, **orbit)

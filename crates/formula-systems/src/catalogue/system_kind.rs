@@ -5,6 +5,13 @@ use crate::algebras::system_algebra::SystemAlgebra;
 use crate::error::FormulaSystemError;
 use crate::systems::formula_system::FormulaSystem;
 use lie_poisson_formulas::{NameError, Parameters};
+use lie_poisson_systems::KeplerOrbit;
+
+/// The names of the rate dν/dt and of the tide GM/r³ of an ellipse in formulas.
+pub(crate) const ORBIT: [&str; 2] = ["orbit_rate", "orbit_tide"];
+
+/// The parameter of an orbit that makes it an ellipse.
+pub(super) const ECCENTRICITY: &str = "eccentricity";
 
 /// A system by name: what its parameters are, and the algebra and the Hamiltonian that they make.
 ///
@@ -34,9 +41,15 @@ pub struct SystemKind {
     /// Returns the system that values of all parameters describe, or the parameter with a value that it cannot have and what
     /// it needs.
     pub(super) describe: fn(&Given<'_>) -> Result<Description, KindError>,
+    /// Returns the orbit with whose rate and tide the Hamiltonian depends on the time, if it does; `None` of systems that do not go
+    /// about a centre.
+    pub(super) orbit: Option<OrbitOf>,
     /// Another way to give a start than by the coordinates.
     pub start: Option<KindStart>,
 }
+
+/// Returns the ellipse of values of all parameters; none of a circle, on which the Hamiltonian does not depend on the time.
+type OrbitOf = fn(&Given<'_>) -> Result<Option<KeplerOrbit>, KindError>;
 
 /// A start that is not given by the coordinates, such as positions of vortices.
 #[derive(Clone, Copy, Debug)]
@@ -63,12 +76,12 @@ impl<E: Into<FormulaSystemError>> From<E> for KindError {
 }
 
 /// What the parameters of a kind describe.
-pub(super) struct Description {
-    pub(super) algebra: SystemAlgebra,
-    pub(super) hamiltonian: String,
+pub(crate) struct Description {
+    pub(crate) algebra: SystemAlgebra,
+    pub(crate) hamiltonian: String,
     /// The parameters of the Hamiltonian.
-    pub(super) parameters: Parameters,
-    pub(super) has_plus_bracket: bool,
+    pub(crate) parameters: Parameters,
+    pub(crate) has_plus_bracket: bool,
 }
 
 /// The values of all parameters, those with a default too.
@@ -83,6 +96,11 @@ impl Given<'_> {
         let own = self.all.iter().find(|own| own.name == name);
         let default = own.and_then(|own| own.default).unwrap_or_default();
         self.values.values(name).unwrap_or(default).to_vec()
+    }
+
+    /// Returns whether a parameter is given.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.values.values(name).is_some()
     }
 
     /// Returns a parameter that is a number.
@@ -147,8 +165,10 @@ impl SystemKind {
     ///
     /// # Errors
     /// Returns [`FormulaSystemError::KindParameter`] if a parameter is missing, has another number of components, or is none
-    /// of the system, and [`FormulaSystemError::KindValue`] if it has a value that it cannot have.
+    /// of the system, and [`FormulaSystemError::KindValue`] if it has a value that it cannot have, or one with which the Hamiltonian
+    /// depends on the time: that is an [open system](crate::OpenNames::of_kind).
     pub fn system(&self, parameters: &Parameters) -> Result<FormulaSystem, FormulaSystemError> {
+        self.require_closed(parameters)?;
         let Description { algebra, hamiltonian, parameters, has_plus_bracket } =
             self.description(parameters)?;
         let system = FormulaSystem::new(algebra, &hamiltonian, &parameters)?;
@@ -165,6 +185,7 @@ impl SystemKind {
         base: &FormulaSystem,
         parameters: &Parameters,
     ) -> Result<FormulaSystem, FormulaSystemError> {
+        self.require_closed(parameters)?;
         let near = self.description(parameters)?;
         match near.algebra == *base.algebra() {
             true => base.with_hamiltonian(&near.hamiltonian, &near.parameters),
@@ -198,11 +219,43 @@ impl SystemKind {
         })
     }
 
-    fn description(&self, parameters: &Parameters) -> Result<Description, FormulaSystemError> {
+    /// Returns the orbit with whose rate and tide the Hamiltonian of these parameters depends on the time; none if it does not.
+    ///
+    /// # Errors
+    /// Those of [`system`](Self::system).
+    pub fn orbit(
+        &self,
+        parameters: &Parameters,
+    ) -> Result<Option<KeplerOrbit>, FormulaSystemError> {
+        let Some(orbit) = self.orbit else { return Ok(None) };
+        orbit(&self.given(parameters)?).map_err(|error| self.refused(error))
+    }
+
+    /// Returns whether the Hamiltonian depends on the time with some values of a parameter, and with others not.
+    #[must_use]
+    pub fn opens_with(&self, parameter: &str) -> bool {
+        self.orbit.is_some() && parameter == ECCENTRICITY
+    }
+
+    fn require_closed(&self, parameters: &Parameters) -> Result<(), FormulaSystemError> {
+        let Some(orbit) = self.orbit(parameters)? else { return Ok(()) };
+        let needed =
+            format!("0 where nothing may depend on the time, got {}", orbit.eccentricity());
+        Err(self.refused(KindError::Value(ECCENTRICITY, needed)))
+    }
+
+    /// Returns the values of all parameters, if they are those of the kind.
+    fn given<'a>(&self, parameters: &'a Parameters) -> Result<Given<'a>, FormulaSystemError> {
         let shapes: Vec<_> = parameters.shapes().collect();
         require_parameters((self.name, false), self.parameters, &shapes)?;
-        let given = Given { all: self.parameters, values: parameters };
-        (self.describe)(&given).map_err(|error| self.refused(error))
+        Ok(Given { all: self.parameters, values: parameters })
+    }
+
+    pub(crate) fn description(
+        &self,
+        parameters: &Parameters,
+    ) -> Result<Description, FormulaSystemError> {
+        (self.describe)(&self.given(parameters)?).map_err(|error| self.refused(error))
     }
 
     fn refused(&self, error: KindError) -> FormulaSystemError {

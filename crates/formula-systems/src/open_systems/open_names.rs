@@ -3,6 +3,7 @@
 use super::named_inputs::NamedInputs;
 use super::spin_terms::require_spins;
 use crate::algebras::system_algebra::SystemAlgebra;
+use crate::catalogue::system_kind::SystemKind;
 use crate::error::FormulaSystemError;
 use crate::open_system_error::OpenSystemError;
 use crate::systems::formula_system::FormulaSystem;
@@ -47,6 +48,38 @@ impl OpenNames {
         let vocabulary = inputs.vocabulary(&algebra, &parameters)?;
         let frozen = inputs.frozen(parameters.clone())?;
         Ok(Self { algebra, parameters, frozen, vocabulary })
+    }
+
+    /// Returns the system by name with these parameters as it is at t = 0, with its Casimirs; the names for formulas; and the
+    /// Hamiltonian if it depends on the time, with the rate and the tide of the orbit that the inputs must have then. The Casimirs of an
+    /// algebra that is the same as that of `near` are not looked for again.
+    ///
+    /// # Errors
+    /// Those of [`SystemKind::system`], but for a Hamiltonian that depends on the time, and those of [`new`](Self::new).
+    pub fn of_kind(
+        kind: &SystemKind,
+        parameters: Parameters,
+        inputs: &NamedInputs,
+        near: Option<&FormulaSystem>,
+    ) -> Result<(FormulaSystem, Self, Option<Formula>), FormulaSystemError> {
+        if kind.orbit(&parameters)?.is_none() {
+            let base = match near {
+                Some(near) => kind.system_near(near, &parameters)?,
+                None => kind.system(&parameters)?,
+            };
+            let names = Self::new(base.algebra().clone(), inputs, parameters)?;
+            return Ok((base, names, None));
+        }
+        let own = kind.description(&parameters)?;
+        let names = Self::new(own.algebra.clone(), inputs, parameters)?;
+        let of_formula = Self::new(own.algebra, inputs, own.parameters)?;
+        if let Some(near) = near.filter(|near| *near.algebra() == of_formula.algebra) {
+            let (base, hamiltonian) = of_formula.system_near(near, &own.hamiltonian)?;
+            return Ok((base, names, hamiltonian));
+        }
+        let (base, hamiltonian) = of_formula.system(&own.hamiltonian)?;
+        let base = if own.has_plus_bracket { base.with_plus_bracket()? } else { base };
+        Ok((base.with_found_casimirs()?, names, hamiltonian))
     }
 
     /// Returns the names: the coordinates are followed by `t` and the inputs.

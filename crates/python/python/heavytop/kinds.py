@@ -120,16 +120,20 @@ class RigidBody(System):
 
 
 class Satellite(System):
-    """A rigid satellite on a circular orbit, turned by the gradient of gravity; coordinates Pi, Gamma_1 and Gamma_2.
+    """A rigid satellite on a circle or an ellipse, turned by the gradient of gravity; coordinates Pi, Gamma_1 and Gamma_2.
 
     In the frame of the body, Pi is the angular momentum against the stars, Gamma_1 the direction from the centre of attraction to
-    the satellite, and Gamma_2 the normal of the orbit. h is Jacobi's integral. A start is given by them, or by angles in radians and
+    the satellite, and Gamma_2 the normal of the orbit. h is Jacobi's integral on a circle. On an ellipse it depends on the time, and
+    formulas may name the rate and the tide of the orbit, orbit_rate (rad/s) and orbit_tide = GM/r^3 (1/s^2). A start is given by them, or by angles in radians and
     the angular velocity against the orbit: `{"roll": 0.1, "pitch": 0.2, "yaw": 0, "relative": [0, 0, 0]}`, of which each may be left
     out. Without turns, the axes of the body are along the velocity, the normal and the radius.
 
     Args:
         moments: the three principal moments, kg m^2.
-        rate: the angular velocity of the orbit, rad/s.
+        rate: the angular velocity of the orbit, rad/s; its mean on an ellipse.
+        eccentricity: of the orbit, below 1.
+        mean_anomaly: at the time 0, rad; 0, at the pericentre, unless it is given.
+        true_anomaly: at the time 0, rad, instead of the mean anomaly.
         forces: inputs, drive, damping, noise and torque, as for `System`.
 
     Example:
@@ -142,8 +146,18 @@ class Satellite(System):
         (1.224745, 1.224745)
     """
 
-    def __init__(self, moments: ArrayLike, rate: float, **forces: Any) -> None:
-        super().__init__(kind="satellite", parameters={"I": moments, "n": rate}, **forces)
+    def __init__(
+        self,
+        moments: ArrayLike,
+        rate: float,
+        eccentricity: float = 0.0,
+        mean_anomaly: Optional[float] = None,
+        true_anomaly: Optional[float] = None,
+        **forces: Any,
+    ) -> None:
+        anomalies = {"mean_anomaly": mean_anomaly, "true_anomaly": true_anomaly}
+        orbit = {"eccentricity": eccentricity, **{name: angle for name, angle in anomalies.items() if angle is not None}}
+        super().__init__(kind="satellite", parameters={"I": moments, "n": rate, **orbit}, **forces)
 
     def angles(self, y: ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Returns roll, pitch and yaw, in radians, at states of shape (9,) or (9, n); the pitch is from -pi/2 to pi/2."""

@@ -99,11 +99,25 @@ impl System {
         open: Option<OpenArgument>,
     ) -> PyResult<Self> {
         let given = parameters(&arguments)?;
-        let inputs = inputs(open.as_ref().map_or(&[], |open| &open.0))?;
+        let mut inputs = inputs(open.as_ref().map_or(&[], |open| &open.0))?;
+        let mut open = open;
         let (system, in_time) = match (&algebra, &hamiltonian) {
             (AlgebraSource::OfKind((name,)), None) => {
                 let kind = SystemKind::named(name).map_err(refused)?;
-                (py.detach(|| kind.system(&given)).map_err(refused)?, None)
+                let orbit = kind.orbit(&given).map_err(refused)?;
+                if orbit.is_some() {
+                    // A Hamiltonian of the time makes the system an open one, without forces, too.
+                    open = open.or_else(|| Some(OpenArgument::default()));
+                    inputs = inputs.with_orbit(orbit);
+                }
+                let of_kind = || OpenNames::of_kind(kind, given.clone(), &inputs, None);
+                match &open {
+                    None => (py.detach(|| kind.system(&given)).map_err(refused)?, None),
+                    Some(_) => {
+                        let (system, _, in_time) = py.detach(of_kind).map_err(refused)?;
+                        (system, in_time)
+                    }
+                }
             }
             (_, Some(hamiltonian)) => {
                 let named = algebra.algebra(&given)?;

@@ -59,6 +59,44 @@ impl KeplerOrbit {
         Ok(Self { mean_motion, eccentricity, pericentre })
     }
 
+    /// Creates the orbit on which the satellite has the mean anomaly M = −n t₀ (rad) at the time 0.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new), or that the anomaly is not finite.
+    pub fn from_mean_anomaly(
+        mean_motion: f64,
+        eccentricity: f64,
+        anomaly: f64,
+    ) -> Result<Self, SystemError> {
+        require_finite("mean anomaly", anomaly)?;
+        Self::new(mean_motion, eccentricity, -anomaly / mean_motion)
+    }
+
+    /// Creates the orbit on which the satellite has the true anomaly ν (rad) at the time 0, for which
+    /// tan(E/2) = √((1 − e)/(1 + e)) tan(ν/2) and M = E − e sin E.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new), or that the anomaly is not finite.
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson_systems::KeplerOrbit;
+    /// let orbit = KeplerOrbit::from_true_anomaly(1e-3, 0.3, 2.0)?;
+    /// assert!((orbit.true_anomaly(0.0) - 2.0).abs() < 1e-14);
+    /// # Ok::<(), lie_poisson_systems::SystemError>(())
+    /// ```
+    pub fn from_true_anomaly(
+        mean_motion: f64,
+        eccentricity: f64,
+        anomaly: f64,
+    ) -> Result<Self, SystemError> {
+        require_finite("true anomaly", anomaly)?;
+        let Self { eccentricity: e, .. } = Self::new(mean_motion, eccentricity, 0.0)?;
+        let (sine, cosine) = (0.5 * anomaly).sin_cos();
+        let eccentric = 2.0 * (sine * (1.0 - e).sqrt()).atan2(cosine * (1.0 + e).sqrt());
+        Self::from_mean_anomaly(mean_motion, e, eccentric - e * eccentric.sin())
+    }
+
     /// Returns the mean motion n, rad/s: 2π divided by the period.
     #[must_use]
     pub const fn mean_motion(&self) -> f64 {
@@ -69,6 +107,12 @@ impl KeplerOrbit {
     #[must_use]
     pub const fn eccentricity(&self) -> f64 {
         self.eccentricity
+    }
+
+    /// Returns the time t₀ of a pericentre, s.
+    #[must_use]
+    pub const fn pericentre(&self) -> f64 {
+        self.pericentre
     }
 
     /// Returns the eccentric anomaly E at a time (s), in \[−π, π\].
@@ -134,8 +178,8 @@ impl KeplerOrbit {
         self.tide_at(1.0 - self.eccentricity)
     }
 
-    /// Returns dν/dt and GM/r³ at a time, each with its derivative with respect to time.
-    pub(crate) fn rate_and_tide<T: Real>(&self, time: T) -> [[T; 2]; 2] {
+    /// Returns dν/dt (rad/s) and GM/r³ (1/s²) at a time (s), each with its derivative with respect to time.
+    pub fn rate_and_tide<T: Real>(&self, time: T) -> [[T; 2]; 2] {
         let anomaly = self.eccentric_anomaly(time);
         let distance = self.distance(anomaly);
         // d ln u/dt, with dE/dt = n/u

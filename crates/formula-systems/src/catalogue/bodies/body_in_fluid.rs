@@ -30,6 +30,7 @@ pub(in crate::catalogue) const BODY_IN_FLUID: SystemKind = SystemKind {
         Parameter::list("coupling", "9, the rows of D in the energy Ω·Dv, kg m").or(&[]),
     ],
     describe,
+    orbit: None,
     start: None,
 };
 

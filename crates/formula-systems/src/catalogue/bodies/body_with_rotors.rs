@@ -27,6 +27,7 @@ pub(in crate::catalogue) const BODY_WITH_ROTORS: SystemKind = SystemKind {
         Parameter::vector("J", 2, "moments of the rotors about their axes, kg m²"),
     ],
     describe,
+    orbit: None,
     start: None,
 };
 

@@ -24,6 +24,7 @@ pub(in crate::catalogue) const GYROSTAT: SystemKind = SystemKind {
         Parameter::vector("rotor", 3, "angular momentum of the rotor in the body, kg m²/s"),
     ],
     describe,
+    orbit: None,
     start: None,
 };
 

@@ -18,6 +18,7 @@ pub(in crate::catalogue) const RIGID_BODY: SystemKind = SystemKind {
     about: "a free rigid body in any dimension",
     parameters: &[Parameter::list("moments", "second moments of the mass along each axis, kg m²")],
     describe,
+    orbit: None,
     start: None,
 };
 

@@ -2,9 +2,12 @@
 
 use crate::algebras::system_algebra::SystemAlgebra;
 use crate::catalogue::parameter::Parameter;
-use crate::catalogue::system_kind::{Description, Given, KindError, KindStart, Sign, SystemKind};
+use crate::catalogue::system_kind::{
+    Description, ECCENTRICITY, Given, KindError, KindStart, ORBIT, Sign, SystemKind,
+};
+use lie_poisson_systems::KeplerOrbit;
 
-/// A rigid satellite on a circular orbit, whose attitude is turned by the gradient of gravity.
+/// A rigid satellite on a circle or an ellipse, whose attitude is turned by the gradient of gravity.
 ///
 /// In the frame of the body, Π is the angular momentum against the stars, Γ₁ the direction from the centre of
 /// attraction to the satellite and Γ₂ the normal of the orbit, on which the satellite turns about the centre at the
@@ -15,7 +18,10 @@ use crate::catalogue::system_kind::{Description, Given, KindError, KindStart, Si
 /// dΠ/dt = Π × Ω + 3n² Γ₁ × IΓ₁,    dΓ_k/dt = Γ_k × (Ω − n Γ₂)
 /// ```
 ///
-/// h is Jacobi's integral. The algebra is so(3) ⋉ (R³ ⊕ R³). The Casimirs are |Γ₁|², Γ₁·Γ₂ and |Γ₂|².
+/// On an ellipse n is the mean motion, and the rate dν/dt = n √(1 − e²)/u² stands for n in h, the tide GM/r³ = n²/u³ for n², with the
+/// ratio u = r/a of a [`KeplerOrbit`].
+///
+/// h is Jacobi's integral on a circle. The algebra is so(3) ⋉ (R³ ⊕ R³). The Casimirs are |Γ₁|², Γ₁·Γ₂ and |Γ₂|².
 ///
 /// A start may be given by a yaw y about the radius, a pitch p about the normal and a roll r about the velocity, in
 /// this order, each about the axis of the body that is there without the others: e₃, e₂ and e₁. The relative velocity
@@ -24,12 +30,16 @@ use crate::catalogue::system_kind::{Description, Given, KindError, KindStart, Si
 /// Source: P. C. Hughes, *Spacecraft Attitude Dynamics* (1986), ch. 9.
 pub(in crate::catalogue) const SATELLITE: SystemKind = SystemKind {
     name: "satellite",
-    about: "a satellite on a circular orbit, turned by the gradient of gravity",
+    about: "a satellite on a circle or an ellipse, turned by the gradient of gravity",
     parameters: &[
         Parameter::vector("I", 3, "principal moments, kg m²"),
-        Parameter::number("n", "angular velocity of the orbit, rad/s"),
+        Parameter::number("n", "angular velocity of the orbit, its mean on an ellipse, rad/s"),
+        Parameter::number(ECCENTRICITY, "of the orbit, below 1").or(&[0.0]),
+        Parameter::number("mean_anomaly", "at t = 0, rad, 0 at the pericentre").or(&[0.0]),
+        Parameter::number("true_anomaly", "at t = 0, rad, instead of it").or(&[0.0]),
     ],
     describe,
+    orbit: Some(orbit),
     start: Some(KindStart {
         given: &[
             Parameter::number("roll", "about e1, along the velocity, rad").or(&[0.0]),
@@ -45,13 +55,40 @@ pub(in crate::catalogue) const SATELLITE: SystemKind = SystemKind {
 fn describe(given: &Given<'_>) -> Result<Description, KindError> {
     given.require_moments("I")?;
     given.require("n", Sign::Positive)?;
-    let hamiltonian = "sum(Pi[i]^2/I[i])/2 - n*(Pi·Gamma_2) + 3*n^2*sum(I[i]*Gamma_1[i]^2)/2";
+    let [rate, tide] = match orbit(given)? {
+        None => ["n", "n^2"],
+        Some(_) => ORBIT,
+    };
+    let hamiltonian =
+        format!("sum(Pi[i]^2/I[i])/2 - {rate}*(Pi·Gamma_2) + 3*{tide}*sum(I[i]*Gamma_1[i]^2)/2");
     Ok(Description {
         algebra: SystemAlgebra::named("so(3) |x (R3 + R3)")?,
-        hamiltonian: hamiltonian.into(),
+        hamiltonian,
         parameters: given.parameters(&["I", "n"])?,
         has_plus_bracket: false,
     })
+}
+
+/// Returns the orbit, if it is an ellipse.
+fn orbit(given: &Given<'_>) -> Result<Option<KeplerOrbit>, KindError> {
+    given.require("n", Sign::Positive)?;
+    let (rate, e) = (given.number("n"), given.number(ECCENTRICITY));
+    if !(0.0..1.0).contains(&e) {
+        return Err(KindError::Value(ECCENTRICITY, format!("at least 0 and below 1, got {e}")));
+    }
+    if given.has("mean_anomaly") && given.has("true_anomaly") {
+        let needed = "left out where there is a mean_anomaly";
+        return Err(KindError::Value("true_anomaly", needed.into()));
+    }
+    if e == 0.0 {
+        return Ok(None);
+    }
+    let orbit = match given.has("true_anomaly") {
+        true => KeplerOrbit::from_true_anomaly(rate, e, given.number("true_anomaly")),
+        false => KeplerOrbit::from_mean_anomaly(rate, e, given.number("mean_anomaly")),
+    };
+    let refused = |error| KindError::Value("n", format!("that of an orbit, got {rate:?}: {error}"));
+    orbit.map(Some).map_err(refused)
 }
 
 /// Returns Π = I(w + n Γ₂) and the directions that a body sees after the turns.
@@ -62,7 +99,7 @@ fn coordinates(system: &Given<'_>, start: &Given<'_>) -> Result<Vec<f64>, KindEr
     let normal = [sy * cp, cr * cy + sr * sy * sp, cr * sy * sp - sr * cy];
     let relative = start.values("relative");
     let moments = system.values("I");
-    let rate = system.number("n");
+    let rate = orbit(system)?.map_or(system.number("n"), |orbit| orbit.rate(0.0));
     let momentum = (0..3).map(|i| moments[i] * (relative[i] + rate * normal[i]));
     Ok(momentum.chain(radial).chain(normal).collect())
 }

@@ -29,6 +29,7 @@ pub(in crate::catalogue) const TOP_ON_BASE: SystemKind = SystemKind {
         Parameter::vector("center_of_mass", 3, "of the top from the support, m"),
     ],
     describe,
+    orbit: None,
     start: None,
 };
 

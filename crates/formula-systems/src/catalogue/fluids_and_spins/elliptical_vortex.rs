@@ -25,6 +25,7 @@ pub(in crate::catalogue) const ELLIPTICAL_VORTEX: SystemKind = SystemKind {
         Parameter::number("rotation", "angular velocity of the flow, 1/s").or(&[0.0]),
     ],
     describe,
+    orbit: None,
     start: Some(KindStart {
         given: &[
             Parameter::number("a", "semi-axis at the angle, m"),

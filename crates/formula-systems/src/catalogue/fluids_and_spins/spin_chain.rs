@@ -26,6 +26,7 @@ pub(in crate::catalogue) const SPIN_CHAIN: SystemKind = SystemKind {
         Parameter::number("periodic", "1 for a ring, 0 for open ends").or(&[1.0]),
     ],
     describe,
+    orbit: None,
     start: None,
 };
 

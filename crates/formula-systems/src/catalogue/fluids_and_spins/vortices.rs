@@ -18,6 +18,7 @@ pub(in crate::catalogue) const VORTICES: SystemKind = SystemKind {
     about: "point vortices on the unit sphere",
     parameters: &[Parameter::list("strengths", "circulation of each vortex, m²/s")],
     describe,
+    orbit: None,
     start: Some(KindStart {
         given: &[Parameter::list("positions", "[x, y, z] of each vortex on the unit sphere")],
         coordinates: |vortices, given| {

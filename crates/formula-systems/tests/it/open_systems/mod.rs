@@ -5,6 +5,7 @@ mod forced_formulas;
 mod laws_of_open_systems;
 mod noisy_formulas;
 mod gilbert_spins;
+mod satellites_on_ellipses;
 mod open_refusals;
 mod support;
 mod tangents_of_open_systems;

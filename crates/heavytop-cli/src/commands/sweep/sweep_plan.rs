@@ -6,7 +6,10 @@ use super::families::family::Family;
 use super::families::open::open_family::OpenFamily;
 use super::families::system_family::SystemFamily;
 use super::families::top_family::TopFamily;
-use crate::configuration::{Column, Config, Integration, Spread, SweepAxis, SweepConfig};
+use crate::configuration::{
+    Column, Config, Integration, Parameter, Spread, SweepAxis, SweepConfig, SystemConfig,
+    SystemTable,
+};
 use crate::errors::{Error, SweepError};
 use crate::runs::Schedule;
 use lie_poisson_runs::step_angle::usual_step;
@@ -61,7 +64,7 @@ impl Plan {
                     let (family, integration) = ArrayFamily::new((table, system), config, &axes)?;
                     (Arc::new(family), integration)
                 }
-                None if config.is_open()? => {
+                None if config.is_open()? || opens(table, &axes) => {
                     let (family, integration) = OpenFamily::new(config, &axes)?;
                     (Arc::new(family), integration)
                 }
@@ -109,6 +112,16 @@ impl Plan {
     pub fn parameters(&self, number: u64) -> Vec<f64> {
         parameters(&self.axes, self.seed, number)
     }
+}
+
+/// Returns whether an axis varies a parameter with some values of which the Hamiltonian depends on the time.
+fn opens(table: &SystemConfig, axes: &[SweepAxis]) -> bool {
+    axes.iter().any(|axis| match &axis.parameter {
+        Parameter::System(number) => {
+            number.table == SystemTable::Parameters && table.opens_with(&number.name)
+        }
+        _ => false,
+    })
 }
 
 /// Returns an integrator whose step is not too long for the members that are tried, spread over all of them. Those that do not

@@ -92,7 +92,7 @@ impl Config {
     /// # Errors
     /// If a table of tops stands beside that of a system.
     pub(crate) fn is_open(&self) -> Result<bool, Error> {
-        let in_time = self.system()?.is_some_and(SystemConfig::depends_on_time);
+        let in_time = self.system()?.map_or(Ok(false), SystemConfig::depends_on_time)?;
         Ok(in_time || self.open_table().is_some())
     }
 

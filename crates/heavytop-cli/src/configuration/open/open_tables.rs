@@ -2,7 +2,7 @@
 
 use super::element::{Element, parts};
 use super::input_config::failed;
-use crate::configuration::Config;
+use crate::configuration::{Config, SystemConfig};
 use crate::errors::{Error, SystemTableError};
 use lie_poisson_formula_systems::{NamedInputs, OpenNames, OpenSystemError, OpenTerms};
 use lie_poisson_formulas::Formula;
@@ -50,17 +50,18 @@ impl Config {
         self.open_table().map_or(Ok(()), |table| Err(SystemTableError::OpenTable { table }))
     }
 
-    /// Returns the inputs of `[inputs]`.
+    /// Returns the inputs of `[inputs]`, and those of the orbit of `[system]`.
     ///
     /// # Errors
-    /// If one is no table.
+    /// If one is no table, or there is no such orbit.
     pub(crate) fn named_inputs(&self) -> Result<NamedInputs, Error> {
         let inputs = self
             .inputs
             .iter()
             .flatten()
             .map(|(name, input)| Ok((name.clone(), input.table(name)?)));
-        Ok(NamedInputs::new(inputs.collect::<Result<_, Error>>()?))
+        let orbit = self.system.as_ref().map_or(Ok(None), SystemConfig::orbit)?;
+        Ok(NamedInputs::new(inputs.collect::<Result<_, Error>>()?).with_orbit(orbit))
     }
 
     /// Makes the paths of the files of `[inputs]`, which are relative to a folder, absolute ones, notes the checksums of the

@@ -7,8 +7,8 @@ use crate::errors::{Error, SystemTableError};
 use crate::runs::{Experiment, Pace, Schedule};
 use heavytop::methods::Formulation;
 use lie_poisson_formula_systems::{
-    FormulaSystem, FormulaSystemError, NamedInputs, OpenNames, QuadraticMomenta, SystemAlgebra,
-    SystemKind, matrices_of_rows, structure_table,
+    FormulaSystem, FormulaSystemError, KeplerOrbit, NamedInputs, OpenNames, QuadraticMomenta,
+    SystemAlgebra, SystemKind, matrices_of_rows, structure_table,
 };
 use lie_poisson_formulas::{Coordinates, Formula, Parameters};
 use lie_poisson_runs::ArrayKind;
@@ -137,8 +137,37 @@ impl SystemConfig {
         Ok(system.with_found_casimirs()?)
     }
 
-    /// Returns whether the Hamiltonian has the time `t` in it, which is neither a parameter nor a coordinate.
-    pub(crate) fn depends_on_time(&self) -> bool {
+    /// Returns whether the Hamiltonian depends on the time.
+    ///
+    /// # Errors
+    /// Those of [`orbit`](Self::orbit).
+    pub(crate) fn depends_on_time(&self) -> Result<bool, Error> {
+        Ok(self.orbit()?.is_some() || self.names_time())
+    }
+
+    /// Returns the ellipse on which a system by name goes about a centre, if it goes about one.
+    ///
+    /// # Errors
+    /// If a parameter is missing, or has a value that it cannot have.
+    pub(crate) fn orbit(&self) -> Result<Option<KeplerOrbit>, Error> {
+        match self.known_kind() {
+            Some(kind) => Ok(kind.orbit(&self.parameters()?)?),
+            None => Ok(None),
+        }
+    }
+
+    /// Returns whether the Hamiltonian depends on the time with some values of a parameter, and with others not.
+    pub(crate) fn opens_with(&self, parameter: &str) -> bool {
+        self.known_kind().is_some_and(|kind| kind.opens_with(parameter))
+    }
+
+    /// Returns the system by formula that the table names, if it is one.
+    fn known_kind(&self) -> Option<&'static SystemKind> {
+        self.kind.as_ref().and_then(|name| SystemKind::named(name).ok())
+    }
+
+    /// Returns whether the formula of the Hamiltonian has the time `t` in it, which is neither a parameter nor a coordinate.
+    fn names_time(&self) -> bool {
         let is_part = |c: char| c.is_alphanumeric() || c == '_';
         let mut words = self.hamiltonian.iter().flat_map(|text| text.split(|c| !is_part(c)));
         let is_coordinate = |name: &String| name == NamedInputs::TIME;
@@ -158,13 +187,8 @@ impl SystemConfig {
         near: Option<&FormulaSystem>,
     ) -> Result<(FormulaSystem, OpenNames, Option<Formula>), Error> {
         let parameters = self.parameters()?;
-        if self.system_kind()?.is_some() {
-            let base = match near {
-                Some(near) => self.formula_system_near(near)?,
-                None => self.formula_system()?,
-            };
-            let names = OpenNames::new(base.algebra().clone(), inputs, parameters)?;
-            return Ok((base, names, None));
+        if let Some(kind) = self.system_kind()? {
+            return Ok(OpenNames::of_kind(kind, parameters, inputs, near)?);
         }
         if let Some(near) = near.map_or(Ok(None), |near| self.near_if_same(near, &parameters))? {
             let names = OpenNames::new(near.algebra().clone(), inputs, parameters)?;

@@ -3,5 +3,6 @@
 mod kinds_of_systems;
 mod system_sections;
 mod system_sweeps;
+mod satellites_in_orbit;
 mod systems;
 mod forces;
