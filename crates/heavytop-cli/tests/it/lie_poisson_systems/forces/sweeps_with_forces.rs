@@ -154,6 +154,34 @@ fn no_bit_depends_on_threads() {
     }
 }
 
+/// A torque −kΠ shrinks every tangent vector at the rate k, by every formulation that there is.
+#[test]
+fn indicators_of_chaos_are_those_of_motions_with_forces() {
+    let folder = Folder::new();
+    let text = SPIN
+        .split_once("[damping]")
+        .unwrap()
+        .0
+        .replace("parameters.B = 2", "parameters = { B = 2, k = 0 }");
+    let sweep = "[integrator]\nstep = 0.1\nend = 2\n[sweep]\nobservables = ['lyapunov', 'megno', 'sali', 'final-state']\n\
+                 axes = [{ parameter = 'system.parameters.k', from = 0.1, to = 0.4, count = 3 }]\n";
+    folder
+        .write("a.toml", &format!("{text}[torque]\nPi = ['-k*Pi1', '-k*Pi2', '-k*Pi3']\n{sweep}"));
+    let done = folder.heavytop(&["sweep", "a.toml", "--out", "s"]);
+    assert_eq!(done.code(), 0, "{}", done.stderr());
+    let swept = rows(&folder, "s/sweep.parquet");
+    let of = |name: &str| -> Vec<f64> { column(&swept, name).into_iter().flatten().collect() };
+    let (rates, sali) = (of("system.parameters.k"), of("sali"));
+    assert_eq!((rates.len(), sali.len()), (3, 3));
+    for (i, k) in rates.into_iter().enumerate() {
+        let (lyapunov, megno) = (of("lyapunov")[i], of("megno")[i]);
+        // Twenty steps whose stages are solved to round-off.
+        assert!((lyapunov + k).abs() < 1e-11, "{lyapunov} {k}");
+        // MEGNO of a vector that shrinks as exp(−kt) is −kt, and its mean −kt/2; of sums over n steps −(kt/2)(1 + 3/n).
+        assert!((megno + k * 1.15).abs() < 1e-10 && sali[i] > 0.1, "{megno} {k} {sali:?}");
+    }
+}
+
 #[test]
 fn what_a_sweep_with_forces_does_not_have_is_refused() {
     let folder = Folder::new();
@@ -163,10 +191,15 @@ fn what_a_sweep_with_forces_does_not_have_is_refused() {
         (
             SPIN,
             &friction[..],
-            "sweep.observables=['lyapunov']",
-            &["lyapunov", "without forces"][..],
+            "sweep.observables=['relative-drift']",
+            &["relative-drift", "without forces"][..],
         ),
-        (TOP, &friction, "sweep.observables=['megno']", &["megno", "final-state, invariant-drift"]),
+        (
+            TOP,
+            &friction,
+            "sweep.observables=['rotation-number']",
+            &["rotation-number", "final-state, invariant-drift, lyapunov, sali, megno"],
+        ),
         (TOP, &friction, "sweep.observables=['nutation-amplitude']", &["nutation-amplitude"]),
         (SPIN, &[("noise.strength", 0.1, 0.2)], "sweep.seed=0", &["there is no noise.strength"]),
         (SPIN, &[("noise.seed", 0.1, 0.2)], "sweep.seed=0", &["noise.seed", "noise.temperature"]),

@@ -34,7 +34,13 @@ pub(in crate::commands::sweep) struct OpenFamily {
 
 impl OpenFamily {
     /// The observables of motions with forces.
-    const OBSERVABLES: [Observable; 2] = [Observable::FinalState, Observable::InvariantDrift];
+    const OBSERVABLES: [Observable; 5] = [
+        Observable::FinalState,
+        Observable::InvariantDrift,
+        Observable::Lyapunov,
+        Observable::Sali,
+        Observable::Megno,
+    ];
 
     /// Reads the motions that the axes describe, and the integrator with what `[integrator]` leaves out.
     ///
@@ -94,6 +100,12 @@ impl OpenFamily {
     fn of_subject(&self, values: &[f64]) -> Vec<f64> {
         let axes = self.forces.iter().zip(values);
         axes.filter(|(force, _)| force.is_none()).map(|(_, value)| *value).collect()
+    }
+
+    /// Returns whether the steps of the method descend to 𝔤∗.
+    fn descends(&self) -> bool {
+        // A method whose steps fail to be made has no tangent vectors either, and the rows say why.
+        self.base.as_model().descends(&self.method, &self.start).unwrap_or(true)
     }
 
     /// Returns the columns of the deviations, whose labels call changes what the motion does not keep.
@@ -180,6 +192,13 @@ impl Family for OpenFamily {
             (Observable::FinalState, Some(_)) => Ok(observable.columns()),
             (Observable::FinalState, None) => Ok(end_columns(self.base.as_model().columns())),
             (Observable::InvariantDrift, _) => Ok(self.drift_columns()),
+            (lifted, _) if lifted.tangents() > 0 && !self.descends() => Err(SweepError::Lifted {
+                observable: lifted.name(),
+                formulation: self.method.formulation().name(),
+            }),
+            (Observable::Lyapunov | Observable::Sali | Observable::Megno, _) => {
+                Ok(observable.columns())
+            }
             (other, _) => Err(SweepError::OfClosed {
                 observable: other.name(),
                 has: Self::OBSERVABLES.map(Observable::name).to_vec(),
@@ -229,13 +248,16 @@ impl Family for OpenFamily {
         let model = model.as_model();
         let (grown, drifts) = follow(model, (&self.method, &start), course)?;
         let values = |observable: &Observable| match observable {
-            Observable::InvariantDrift => drifts.clone(),
+            Observable::InvariantDrift => drifts.iter().copied().map(Some).collect(),
+            Observable::Lyapunov => vec![Some(grown.lyapunov)],
+            Observable::Megno => vec![Some(grown.megno)],
+            Observable::Sali => vec![grown.alignment],
             _ => {
                 let mut end = grown.end.as_slice().to_vec();
                 model.present(&mut end);
-                end
+                end.into_iter().map(Some).collect()
             }
         };
-        Ok(course.observables.iter().flat_map(values).map(Some).collect())
+        Ok(course.observables.iter().flat_map(values).collect())
     }
 }
