@@ -144,6 +144,34 @@ def test_exponents_of_noisy_motions_are_those_of_their_paths():
     assert set(lyapunov(last, np.tile([[1.0], [0], [0]], 2), step=0.1, end=1).failures) == {1}
 
 
+def test_sections_once_a_period_and_of_the_state():
+    """In the frame of a field that turns the spin turns about (b, 0, B - w)."""
+    h = "-2*Pi3 - 0.3*(cos(1.6*t)*Pi1 - sin(1.6*t)*Pi2)"
+    spin, start = System("so(3)", h, bracket="plus"), [0, 0.6, 0.8]
+    for surface in ("sin(1.6*t)", lambda x, t: np.sin(1.6 * t)):
+        points = spin.section(start, surface, step=0.1, end=40)
+        assert np.abs(points.t - 2 * np.pi / 1.6 * np.arange(1, 11)).max() < 1e-12
+        assert np.abs(0.3 * points.y[0] + 0.4 * points.y[2] - 0.4 * 0.8).max() < 1e-9
+    later = spin.section(start, "sin(1.6*t)", value=0.5, step=0.1, end=40)
+    assert np.ptp(0.3 * later.y[0] + 0.4 * later.y[2]) > 1e-2, "control"
+    damped = System("so(3)", "-2*Pi3", damping=0.1)
+    (time,) = damped.section(SPIN, "Pi3", value=0.5, step=0.1, end=10).t
+    assert time == pytest.approx(np.arctanh(0.5) / 0.2, abs=1e-10)
+
+
+def test_a_noise_has_sections_at_times_alone():
+    warm = System("so(3)", "-Pi3", damping=1, noise={"temperature": 0.1}, inputs=INPUTS)
+    points = warm.section(SPIN, "sin(2*acos(-1)*(t - 0.5))", step=0.1, end=4, path=2)
+    run = warm.solve(SPIN, step=0.1, end=4, path=2)
+    assert np.abs(points.t - [0.5, 1.5, 2.5, 3.5]).max() < 1e-12
+    # The times are right to rounding, and noise moves the state by the root of that.
+    assert np.abs(points.y - run.y[:, [5, 15, 25, 35]]).max() < 1e-5
+    for surface in ("Pi3 - 0.5", lambda x: x.Pi3, lambda x, t: x.Pi1 - t, "t*Pi2"):
+        with pytest.raises(ValueError, match="depends on the step"):
+            warm.section(SPIN, surface, step=0.1, end=4)
+    assert warm.section(SPIN, lambda x, t: t - 1, step=0.1, end=4).t.size == 1
+
+
 def test_a_kind_may_have_forces():
     gyrostat = {"kind": "body-with-rotors", "parameters": {"I": [1, 2, 3], "J": [0.1, 0.2]}}
     start = {"Pi": [0.3, 1, 0.2], "l": [0.2, 0.1]}

@@ -77,6 +77,15 @@ impl LevelSet<'_> {
         None
     }
 
+    /// Returns the point of the set near one that misses it by rounding errors of this relative size, if it does not miss it by more.
+    pub(super) fn without_rounding(&self, near: Vec<f64>, rounding: f64) -> Option<Vec<f64>> {
+        let exact = self.project(near.clone())?;
+        let sized = |(x, scale): (f64, &f64)| (x / scale).abs();
+        let moved = exact.iter().zip(&near).map(|(x, y)| x - y).zip(&self.scales).map(sized);
+        let size = near.iter().copied().zip(&self.scales).map(sized).fold(1.0, f64::max);
+        (moved.fold(0.0, f64::max) <= rounding * size).then_some(exact)
+    }
+
     /// Returns a Newton step, in sizes of the coordinates, and the largest residual relative to the slopes.
     fn step(&self, point: &[f64]) -> Option<(DVector<f64>, f64)> {
         let constraints = self.levels.iter().map(|level| {

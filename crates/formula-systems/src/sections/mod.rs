@@ -3,4 +3,5 @@
 pub(crate) mod level_set;
 pub(crate) mod orbit;
 pub(crate) mod start_search;
+mod orbit_states;
 pub(crate) mod system_section;

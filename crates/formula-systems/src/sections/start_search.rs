@@ -16,7 +16,7 @@ const GUESSES: usize = 1000;
 const FARTHEST: f64 = 4.0;
 
 /// The largest difference of a level from the value at the state, relative to the size of the state, that is rounding.
-const ROUNDING: f64 = 1e-9;
+pub(super) const ROUNDING: f64 = 1e-9;
 
 /// The search for states of one orbit at which h and the function of a surface have given values.
 #[derive(Clone, Debug)]
@@ -116,28 +116,32 @@ impl<'a> StartSearch<'a> {
             let guess = scales.iter().map(|scale| scale * (2.0 * uniform(random) - 1.0));
             return self.set.project(guess.collect());
         };
-        let mut guess = state.clone();
-        let farthest = FARTHEST * uniform(random);
-        // Not every point of an orbit is at the end of one motion.
-        for _ in 0..2 {
-            let u: Vec<f64> =
-                scales.iter().map(|_| farthest * (2.0 * uniform(random) - 1.0)).collect();
-            guess = orbit.moved(&guess, &u);
-        }
-        let found = orbit.project(guess, &self.free)?;
+        let found = orbit.project(random_motion(orbit, state, scales, random), &self.free)?;
         // The rounding errors of the motions are removed from the known Casimirs.
-        let exact = self.set.project(found.clone())?;
-        let moved =
-            exact.iter().zip(&found).zip(scales).map(|((x, y), scale)| (x - y).abs() / scale);
-        let size =
-            found.iter().zip(scales).fold(1.0_f64, |size, (x, scale)| size.max((x / scale).abs()));
-        (moved.fold(0.0, f64::max) <= ROUNDING * size).then_some(exact)
+        self.set.without_rounding(found, ROUNDING)
     }
+}
+
+/// Returns a state after random motions along its orbit.
+pub(super) fn random_motion(
+    orbit: &Orbit,
+    state: &[f64],
+    scales: &[f64],
+    random: &mut ChaCha8Rng,
+) -> Vec<f64> {
+    let mut moved = state.to_vec();
+    let farthest = FARTHEST * uniform(random);
+    // Not every point of an orbit is at the end of one motion.
+    for _ in 0..2 {
+        let u: Vec<f64> = scales.iter().map(|_| farthest * (2.0 * uniform(random) - 1.0)).collect();
+        moved = orbit.moved(&moved, &u);
+    }
+    moved
 }
 
 /// Returns the sizes of the coordinates: for components of a vector its length, for numbers the length of all
 /// numbers together, and the length of the whole state if that is zero.
-fn scales(coordinates: &Coordinates, state: &[f64]) -> Vec<f64> {
+pub(super) fn scales(coordinates: &Coordinates, state: &[f64]) -> Vec<f64> {
     let length = |x: &[f64]| {
         let size = x.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
         if size > 0.0 {

@@ -89,6 +89,19 @@ impl SectionConfig {
         }
     }
 
+    /// Checks that no key is of motions without forces, whose energy is conserved.
+    ///
+    /// # Errors
+    /// If there is such a key.
+    pub(crate) fn require_open(&self) -> Result<(), Error> {
+        let of = "a motion without forces";
+        match (self.energy, self.vertical_momentum) {
+            (Some(_), _) => Err(Error::SectionKey { key: "energy", of }),
+            (None, Some(_)) => Err(Error::SectionKey { key: "vertical_momentum", of }),
+            (None, None) => Ok(()),
+        }
+    }
+
     /// Checks that no key is of tops alone.
     ///
     /// # Errors

@@ -323,6 +323,15 @@ pub enum Error {
     /// The section of a system has no surface.
     #[error("[section] surface is missing: a formula, such as a coordinate")]
     NoSurface,
+    /// The surface of a section of paths with noise is one of coordinates.
+    #[error(
+        "[section] surface {surface} is a function of coordinates, which a path with noise passes again and again in any time, however \
+         short: where depends on the step; write a function of t alone, such as sin(2*t)"
+    )]
+    NoisySurface {
+        /// The function.
+        surface: String,
+    },
     /// A key of the section is for systems, or for tops.
     #[error("[section] {key} is of the section of {of} alone")]
     SectionKey {

@@ -66,7 +66,20 @@ def surface_source(
         return coordinate if value == 0 else f"{coordinate} - {value!r}"
     if not callable(coordinate):
         raise ValueError(f"coordinate must be a coordinate, a formula or a function of them, got {coordinate!r}")
+    if takes_time(coordinate):
+        function, names = with_time("coordinate", coordinate, names, parameters)
+        return trace("coordinate", lambda x: function(x) - value, names, parameters)
     return trace("coordinate", lambda x: coordinate(x) - value, names, parameters)
+
+
+def with_time(
+    name: str, function: Callable[..., Any], names: Mapping[str, slice], parameters: Mapping[str, Any]
+) -> tuple[Callable[[Any], Any], Mapping[str, slice]]:
+    """Returns a function of the state and the time as one of the state, and the names of the coordinates with the time behind them."""
+    if TIME in names or TIME in parameters:
+        raise ValueError(f"{name} cannot be a function of the time: {TIME} has another meaning in this system")
+    size = max(int(places.stop) for places in names.values())
+    return in_time(function), {**names, TIME: slice(size, size + 1)}
 
 
 def is_list(events: Events) -> bool:
@@ -96,11 +109,7 @@ def native_event(
     event, direction, terminal = event_parts(name, event)
     function = event.function
     if callable(function) and takes_time(function):
-        if TIME in names or TIME in parameters:
-            raise ValueError(f"{name} cannot be a function of the time: {TIME} has another meaning in this system")
-        # The time follows the coordinates.
-        size = max(int(places.stop) for places in names.values())
-        function, names = in_time(function), {**names, TIME: slice(size, size + 1)}
+        function, names = with_time(name, function, names, parameters)
     return function_source(name, function, names, parameters), direction, terminal
 
 

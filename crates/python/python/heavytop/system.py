@@ -240,15 +240,18 @@ class System(SystemDescription):
         most: Optional[int] = None,
         scheme: str = "gauss-8",
         formulation: Optional[str] = None,
+        path: Optional[int] = None,
     ) -> Crossings:
-        """Returns the points at which a function of the state passes a value: a Poincare section.
+        """Returns the points at which a function of the state and the time passes a value: a Poincare section.
 
-        The start is no crossing, even if it lies on the surface.
+        A function of the time alone, such as "sin(2*t)", gives a stroboscopic section, once in each period. With noise there is no other
+        one: a path passes a surface of coordinates again and again in any time, however short, and where depends on the step. The start
+        is no crossing, even if it lies on the surface.
 
         Args:
             y0: the state at t = 0, as for `solve`; None for the start that the system was made with.
-            surface: a coordinate, a formula or a Python function of the coordinates. An angle, such as
-                "atan2(Gamma2, Gamma1)", passes its value once per turn.
+            surface: a coordinate, a formula in the coordinates, the time `t` and the inputs, or a Python function of the coordinates, or
+                of them and the time. An angle, such as "atan2(Gamma2, Gamma1)", passes its value once per turn.
             value: its value on the surface.
             direction: 1 for crossings upwards in time, -1 for crossings downwards, 0 for both. A run backward in time finds
                 the points of the same section.
@@ -261,13 +264,15 @@ class System(SystemDescription):
             IntegrationError: if a step fails, or the function has no value later.
         """
         step, end = course(step, end)
-        run = self._run(y0, step, (formulation, scheme, 0.0))
+        native = self._on_path(path)
+        run = self._run(y0, step, (formulation, scheme, 0.0), native)
         # Events have the direction along the run.
         way = int(choice("direction", direction, (1, -1, 0)) * math.copysign(1, step))
         bound = 0 if most is None else whole("most", most, 1)
-        warn_of_accuracy(self._system, run.setting, 0, 3)
+        warn_of_accuracy(native, run.setting, 0, 3)
         function = surface_source(surface, real("value", value), self._names, self._parameters)
-        return crossings(self._system.follow(run.setting, end, NEVER, [(function, way, bound)]))
+        native.require_surface(function)
+        return crossings(native.follow(run.setting, end, NEVER, [(function, way, bound)]))
 
     def _formulation_of_tangents(self) -> str:
         """The formulation of tangent vectors unless another one is asked for: without fibres, where there is one."""

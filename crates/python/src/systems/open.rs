@@ -1,15 +1,15 @@
 //! What drives, damps, shakes or forces a system, as Python passes it.
 
 use crate::errors::refused;
-use crate::formulas::FormulaSource;
+use crate::formulas::{FormulaSource, expressions};
 use collective_integrators::NoiseRule;
 use core::ops::Deref;
 use lie_poisson::{InnerProduct, InputTable, Interpolation, IsotropicNoise};
 use lie_poisson_formula_systems::{
     Damping, FormulaSystem, NamedInputs, NoiseFields, NoiseTerms, OpenNames, OpenSystem,
-    OpenSystemError, OpenTerms,
+    OpenSystemError, OpenTerms, SystemAlgebra,
 };
-use lie_poisson_formulas::Formula;
+use lie_poisson_formulas::{Formula, Parameters};
 use lie_poisson_runs::{
     ArraySystem, ArrayTerms, FluidNoise, FluidTerms, HarmonicShell, LatticeNoise, LatticeTerms,
     Model, NoisePaths, OpenArrays, SpinDamping,
@@ -115,6 +115,40 @@ pub(crate) fn terms(
     let (drive, torque) =
         (drive.as_ref().map(all).transpose()?, torque.as_ref().map(all).transpose()?);
     Ok(OpenTerms { inputs, hamiltonian, drive, damping, noise, torque })
+}
+
+/// Returns the system of a formula without Casimirs, and the formula if it depends on the time or on an input. Of a system without
+/// forces there are no inputs.
+///
+/// # Errors
+/// Returns `ValueError` for what is no formula.
+pub(crate) fn of_formula(
+    algebra: &SystemAlgebra,
+    hamiltonian: &FormulaSource,
+    given: &Parameters,
+    inputs: Option<&NamedInputs>,
+) -> PyResult<(FormulaSystem, Option<Formula>)> {
+    let names = inputs.map(|inputs| OpenNames::new(algebra.clone(), inputs, given.clone()));
+    let names = names.transpose().map_err(refused)?;
+    let plain = algebra.vocabulary(given).map_err(refused)?;
+    let vocabulary = names.as_ref().map_or(&plain, OpenNames::vocabulary);
+    // A formula that is refused is refused here, with its text.
+    let formula = hamiltonian.formula(vocabulary)?;
+    let traced = match hamiltonian {
+        FormulaSource::Text(text) => Err(text),
+        FormulaSource::Traced(parts) => Ok(expressions(parts, vocabulary.coordinates())?),
+    };
+    let made = |parameters: &Parameters| match &traced {
+        Err(text) => FormulaSystem::new(algebra.clone(), text, parameters),
+        Ok((parts, value)) => {
+            FormulaSystem::of_expressions(algebra.clone(), parts, *value, parameters)
+        }
+    };
+    let system = match &names {
+        None => made(given).map(|system| (system, None)),
+        Some(names) => names.system_by(formula, made),
+    };
+    system.map_err(refused)
 }
 
 /// The seed, the path, the interval and the bound of a noise.

@@ -3,10 +3,10 @@
 use super::algebra::{
     AlgebraSource, Groups, ParameterArgument, Realisation, groups, parameters, realised,
 };
-use super::open::{ModelOfRun, OpenArgument, WITHOUT_PATH, inputs, terms};
+use super::open::{ModelOfRun, OpenArgument, WITHOUT_PATH, inputs, of_formula, terms};
 use crate::arrays::rows;
 use crate::errors::refused;
-use crate::formulas::{FormulaSource, expressions};
+use crate::formulas::FormulaSource;
 use crate::recorded::Recorded;
 use crate::runs::accuracy::{Accuracy, Check};
 use crate::runs::event::{Event, EventArgument};
@@ -17,10 +17,9 @@ use collective_integrators::diagnostics::SystemScales;
 use core::sync::atomic::Ordering;
 use heavytop::methods::{Formulation, Method, MethodError};
 use lie_poisson_formula_systems::{
-    FormulaSystem, FormulaSystemError, NamedInputs, OpenNames, OpenSystem, OpenTerms,
-    SystemAlgebra, SystemKind, Verdict,
+    FormulaSystem, FormulaSystemError, OpenNames, OpenSystem, OpenTerms, SystemKind, Verdict,
 };
-use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
+use lie_poisson_formulas::Vocabulary;
 use lie_poisson_runs::Model;
 use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -52,37 +51,6 @@ type Source = (
 /// Returns the step of a model that makes no steps: that of its noise, or 1.
 fn unit_of(terms: Option<&OpenTerms>) -> f64 {
     terms.and_then(|terms| terms.noise.as_ref()?.interval).unwrap_or(1.0)
-}
-
-/// Returns the system of a formula without Casimirs, and the formula if it depends on the time or on an input. Of a system without
-/// forces there are no inputs.
-fn of_formula(
-    algebra: &SystemAlgebra,
-    hamiltonian: &FormulaSource,
-    given: &Parameters,
-    inputs: Option<&NamedInputs>,
-) -> PyResult<(FormulaSystem, Option<Formula>)> {
-    let names = inputs.map(|inputs| OpenNames::new(algebra.clone(), inputs, given.clone()));
-    let names = names.transpose().map_err(refused)?;
-    let plain = algebra.vocabulary(given).map_err(refused)?;
-    let vocabulary = names.as_ref().map_or(&plain, OpenNames::vocabulary);
-    // A formula that is refused is refused here, with its text.
-    let formula = hamiltonian.formula(vocabulary)?;
-    let traced = match hamiltonian {
-        FormulaSource::Text(text) => Err(text),
-        FormulaSource::Traced(parts) => Ok(expressions(parts, vocabulary.coordinates())?),
-    };
-    let made = |parameters: &Parameters| match &traced {
-        Err(text) => FormulaSystem::new(algebra.clone(), text, parameters),
-        Ok((parts, value)) => {
-            FormulaSystem::of_expressions(algebra.clone(), parts, *value, parameters)
-        }
-    };
-    let system = match &names {
-        None => made(given).map(|system| (system, None)),
-        Some(names) => names.system_by(formula, made),
-    };
-    system.map_err(refused)
 }
 
 #[pymethods]
@@ -324,6 +292,20 @@ impl System {
         model.conserved(&setting.0).values(0.0, &setting.0).map_err(PyValueError::new_err)?;
         let (record, widths) = run.record(py, (end, every), &events, None)?;
         Recorded::new(py, record, widths)
+    }
+
+    /// Checks that the returns to a surface have a meaning: with noise only those to one of the time alone.
+    fn require_surface(&self, surface: FormulaSource) -> PyResult<()> {
+        let ModelOfRun::Open(open) = self.model(unit_of(self.terms.as_ref()))? else {
+            return Ok(());
+        };
+        match open.noise().is_none() || open.is_of_time(&surface.formula(&self.names)?) {
+            true => Ok(()),
+            false => Err(PyValueError::new_err(
+                "a path with noise passes a surface of coordinates again and again in any time, however short, and where depends \
+                 on the step: write a function of the time alone, such as \"sin(2*t)\"",
+            )),
+        }
     }
 
     /// Returns a warning about invariants of which a motion from a start to an end has used up the digits.

@@ -90,7 +90,10 @@ impl fmt::Display for SectionSummary {
         }
         let deviations = self.deviations.iter().map(|(name, most)| format!("{name} {most:.1e}"));
         let deviations = deviations.collect::<Vec<_>>().join(", ");
-        writeln!(to, "largest deviations: {deviations}")?;
+        match deviations.is_empty() {
+            true => writeln!(to, "the forces leave nothing conserved")?,
+            false => writeln!(to, "largest deviations: {deviations}")?,
+        }
         match self.accuracy {
             Some(OrbitAccuracy { worst, least: Some(least), measured }) => {
                 let (of, most) = (counted(measured), worst.error.unwrap_or(least));

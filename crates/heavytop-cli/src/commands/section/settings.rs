@@ -1,6 +1,7 @@
 //! The settings of a section: what it is of, and how far its starts are followed.
 
 use super::problems::limits::Limits;
+use super::problems::open_problem::OpenProblem;
 use super::problems::section_problem::SectionProblem;
 use super::problems::system_problem::SystemProblem;
 use super::problems::top_problem::TopProblem;
@@ -28,9 +29,11 @@ impl Settings {
     /// # Errors
     /// If there is no such section.
     pub fn of(config: &Config) -> Result<Self, Error> {
-        config.require_closed()?;
         let section = config.section.clone().unwrap_or_default();
-        let problem: (Arc<dyn SectionProblem>, _) = if config.system.is_some() {
+        let problem: (Arc<dyn SectionProblem>, _) = if config.is_open()? {
+            let (problem, own) = OpenProblem::new(config, &section)?;
+            (Arc::new(problem), own)
+        } else if config.system.is_some() {
             let (problem, own) = SystemProblem::new(config, &section)?;
             (Arc::new(problem), own)
         } else {

@@ -128,6 +128,13 @@ it lies on the surface and leaves it in the direction that counts. The columns a
 start,crossing,t, the coordinates,x,y. What [integrator] leaves out: reduced where there is one, or
 as for simulate; gauss-8; the step of simulate.
 
+Forces, beside [body] or [system] as of simulate: surface and axes are formulas in the coordinates,
+t and the inputs, of a top, too. sin(w*t) is passed upwards once in a period: a stroboscopic
+section. With noise there is no other one, and start n has the path n - 1 after that of [noise].
+There is no level of an energy. The starts are states, or the initial state and random ones on its
+coadjoint orbit; each is followed from t = 0 to its first point there, which is crossing 0. Inputs
+reach to the time longest. What [integrator] leaves out is that of simulate.
+
 Examples:
   heavytop section --out section                  # the paper's top
   heavytop section --preset euler --out section

@@ -189,7 +189,8 @@ Kinds, and their parameters (* if they may be left out):
 A kind without parameters is refused with their meaning and units, and heavytop init --kind NAME
 writes a configuration to begin with.
 
-Forces, for simulate, events, sweep, ensemble, beside [system] or [body]; t in formulas is the time:
+Forces, for simulate, events, section, sweep, ensemble, beside [system] or [body]; t in formulas is
+the time:
   [inputs.u]                         # u(t) for formulas, by a table
   times = [0, 10, 20]                # s; from the start of the run to its end
   values = [0, 1, 0]

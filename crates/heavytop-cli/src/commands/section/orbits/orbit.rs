@@ -8,7 +8,7 @@ use crate::supervision::tiled_run::interrupted;
 /// A point of a Poincaré section.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::commands::section) struct Crossing {
-    /// The time of the crossing, s; 0 for the start itself.
+    /// The time of the crossing, s; 0 for a start that is one.
     pub time: f64,
     /// The coordinates of the state at the crossing.
     pub state: Vec<f64>,
@@ -16,12 +16,12 @@ pub(in crate::commands::section) struct Crossing {
     pub plane: [f64; 2],
 }
 
-/// The start of an orbit and its returns to the section.
+/// The first point of an orbit, which may be its start, and its returns to the section.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::commands::section) struct Orbit {
     /// The number of the start, from 1.
     pub number: usize,
-    /// The points of the orbit; the start comes first.
+    /// The points of the orbit.
     pub crossings: Vec<Crossing>,
 }
 
@@ -38,9 +38,12 @@ pub(in crate::commands::section) fn orbit(
     let crossing = |time: f64, state: &[f64]| Crossing {
         time,
         state: state.to_vec(),
-        plane: problem.plane(state),
+        plane: problem.plane(time, state),
     };
-    let mut crossings = vec![crossing(0.0, start)];
+    let mut crossings = Vec::new();
+    if problem.starts_on_surface() {
+        crossings.push(crossing(0.0, start));
+    }
     let mut visit = |time: f64, state: &[f64]| {
         if options.stopped() {
             return Err(interrupted());
@@ -49,5 +52,8 @@ pub(in crate::commands::section) fn orbit(
         Ok(())
     };
     let failure = problem.follow(&settings.limits, number, start, &mut visit).err();
+    let longest = settings.limits.longest;
+    let never = crossings.is_empty().then_some(Error::NeverCrosses { state: number, longest });
+    let failure = failure.or(never);
     (Orbit { number, crossings }, failure)
 }

@@ -35,8 +35,10 @@ pub(in crate::commands::section) fn orbit_accuracy(
     let starts = settings.limits.starts as u64;
     let count = MOST.min(starts);
     let measured = (0..count).into_par_iter().map(|number| {
-        let orbit = orbits.orbit((number * starts / count) as usize)?;
-        Ok(orbit.as_ref().and_then(|orbit| of_orbit(settings, orbit, going)))
+        let number = (number * starts / count) as usize;
+        let (orbit, start) = (orbits.orbit(number)?, orbits.start(number));
+        let both = orbit.as_ref().zip(start);
+        Ok(both.and_then(|(orbit, start)| of_orbit(settings, (orbit, start), going)))
     });
     let measured: Vec<Option<RunAccuracy>> = measured.collect::<Result<_, Error>>()?;
     let measured: Vec<RunAccuracy> = measured.into_iter().flatten().collect();
@@ -48,13 +50,12 @@ pub(in crate::commands::section) fn orbit_accuracy(
 /// Measures an orbit up to its last return. One without a return was followed as long as all could be.
 fn of_orbit(
     settings: &Settings,
-    orbit: &Orbit,
+    (orbit, start): (&Orbit, &[f64]),
     going: &(dyn Fn() -> bool + Sync),
 ) -> Option<RunAccuracy> {
     let limits = &settings.limits;
-    let start = orbit.crossings.first()?;
     let is_short = orbit.crossings.len() <= limits.crossings;
     let last = orbit.crossings.last().map_or(0.0, |crossing| crossing.time);
     let steps = if is_short { limits.steps as u64 } else { (last / limits.step).ceil() as u64 };
-    settings.problem.accuracy(&start.state, (limits.step, steps), &|| going()).ok()
+    settings.problem.accuracy(start, (limits.step, steps), &|| going()).ok()
 }

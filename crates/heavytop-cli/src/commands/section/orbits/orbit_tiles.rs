@@ -45,6 +45,11 @@ impl<'a> Orbits<'a> {
         Ok(Self { settings, starts, tiles: Tiles::new(out.join("section.partial"), config)? })
     }
 
+    /// Returns a start, counted from 0.
+    pub fn start(&self, start: usize) -> Option<&[f64]> {
+        self.starts.get(start).map(Vec::as_slice)
+    }
+
     /// Returns the number of tiles.
     pub fn count(&self) -> u64 {
         self.starts.len().div_ceil(self.size()) as u64

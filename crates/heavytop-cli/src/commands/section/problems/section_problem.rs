@@ -5,10 +5,11 @@ use super::limits::Limits;
 use crate::configuration::SectionConfig;
 use crate::errors::Error;
 use collective_integrators::diagnostics::RunAccuracy;
-use collective_integrators::{AnyState, Direction, Events, Start};
+use collective_integrators::{AnyState, Direction, Events, Integrator, RunError, Start};
 use heavytop::methods::Method;
+use lie_poisson::Pair;
 use lie_poisson_formula_systems::FormulaSystemError;
-use lie_poisson_runs::Model;
+use lie_poisson_runs::{Model, TimedIntegrator, TimedState};
 use serde_json::{Map, Value};
 use std::fmt::Debug;
 
@@ -29,11 +30,16 @@ pub(in crate::commands::section) trait SectionProblem:
     /// Returns the direction of the crossings that count, and the period of the surface's function if it is an angle.
     fn surface(&self) -> (Direction, Option<f64>);
 
-    /// Returns the function of the momentum whose zeros are the surface.
-    fn value(&self, momentum: &[f64]) -> f64;
+    /// Returns the function of the time (s) and the momentum whose zeros are the surface.
+    fn value(&self, time: f64, momentum: &[f64]) -> f64;
 
-    /// Checks that what is written and drawn of a momentum has a value.
-    fn require_values(&self, _momentum: &[f64]) -> Result<(), FormulaSystemError> {
+    /// Returns whether the starts are points of the section; if not, each is followed to its first one.
+    fn starts_on_surface(&self) -> bool {
+        true
+    }
+
+    /// Checks that what is written and drawn of a momentum at a time has a value.
+    fn require_values(&self, _time: f64, _momentum: &[f64]) -> Result<(), FormulaSystemError> {
         Ok(())
     }
 
@@ -46,8 +52,8 @@ pub(in crate::commands::section) trait SectionProblem:
     /// Returns the table `[section]` with every key that was left out and plays a part.
     fn complete(&self, section: SectionConfig) -> SectionConfig;
 
-    /// Returns the place (x, y) at which a state is drawn.
-    fn plane(&self, state: &[f64]) -> [f64; 2];
+    /// Returns the place (x, y) at which a state at a time (s) is drawn.
+    fn plane(&self, time: f64, state: &[f64]) -> [f64; 2];
 
     /// Returns the names of the conserved quantities.
     fn conserved(&self) -> Vec<String>;
@@ -102,7 +108,9 @@ impl dyn SectionProblem + '_ {
         start: &[f64],
         visit: Visit<'_>,
     ) -> Result<(), Error> {
-        visit_returns(self, limits, (number, start, false), visit)
+        let (later, first) = (self.starts_on_surface(), usize::from(!self.starts_on_surface()));
+        let limits = Limits { crossings: limits.crossings + first, ..*limits };
+        visit_returns(self, &limits, (number, start, !later), visit)
     }
 }
 
@@ -119,11 +127,17 @@ pub(super) fn visit_returns(
     let (model, method) = (problem.model(), problem.method());
     let start = model.start(start)?;
     let integrator = model.integrator(method, &start)?;
-    let samples = integrator.trajectory(&AnyState::from_slice(&start), limits.step)?;
+    let start = AnyState::from_slice(&start);
+    let mut state = integrator.start(&start).map_err(RunError::from)?;
+    // Each start has a path of the noise of its own.
+    model.move_path(state.as_mut_slice(), number.saturating_sub(1) as u64);
+    let samples = integrator.trajectory_from(state, limits.step).through(start);
     let samples = samples.take(limits.steps.saturating_add(1));
-    let value = |mu: &AnyState| problem.value(mu.as_slice());
+    let samples = samples.map(|sample| sample.map(|sample| TimedIntegrator::sample(&sample)));
+    let value = |Pair(mu, time): &TimedState| problem.value(time.0, mu.as_slice());
     let (direction, period) = problem.surface();
-    let mut returns = Events::new(&integrator, samples, value, direction.along_run(limits.step));
+    let timed = TimedIntegrator::new(&integrator);
+    let mut returns = Events::new(&timed, samples, value, direction.along_run(limits.step));
     if let Some(period) = period {
         returns = returns.modulo(period);
     }
@@ -137,8 +151,9 @@ pub(super) fn visit_returns(
             start: number,
             source,
         })?;
-        let (time, mut state) = (sample.time, sample.momentum.as_slice().to_vec());
-        problem.require_values(&state).map_err(|source| Error::NoValue {
+        let Pair(momentum, _) = sample.momentum;
+        let (time, mut state) = (sample.time, momentum.as_slice().to_vec());
+        problem.require_values(time, &state).map_err(|source| Error::NoValue {
             start: number,
             time,
             source: Box::new(source),

@@ -106,11 +106,11 @@ impl SectionProblem for SystemProblem {
         (self.section.direction(), self.section.period())
     }
 
-    fn value(&self, momentum: &[f64]) -> f64 {
+    fn value(&self, _: f64, momentum: &[f64]) -> f64 {
         self.section.value(momentum)
     }
 
-    fn require_values(&self, momentum: &[f64]) -> Result<(), FormulaSystemError> {
+    fn require_values(&self, _: f64, momentum: &[f64]) -> Result<(), FormulaSystemError> {
         self.section.checked_plane(momentum)?;
         self.system().invariants(momentum).map(drop)
     }
@@ -132,7 +132,7 @@ impl SectionProblem for SystemProblem {
         SectionConfig { axes: Some(axes), ..section }
     }
 
-    fn plane(&self, state: &[f64]) -> [f64; 2] {
+    fn plane(&self, _: f64, state: &[f64]) -> [f64; 2] {
         self.section.plane(state)
     }
 
@@ -217,6 +217,6 @@ impl SectionProblem for SystemProblem {
 
 /// Returns the title of an axis, a formula or its beginning. What follows a plain space and a parenthesis would be read as a
 /// unit.
-fn title(axis: &Formula) -> String {
+pub(super) fn title(axis: &Formula) -> String {
     shortened(&caption::formula(axis), MOST_OF_TITLE).replace(" (", "\u{a0}(")
 }

@@ -77,7 +77,7 @@ impl SectionProblem for TopProblem {
         (self.section.surface().direction, self.section.period())
     }
 
-    fn value(&self, momentum: &[f64]) -> f64 {
+    fn value(&self, _: f64, momentum: &[f64]) -> f64 {
         self.section.value(&TopInAxes::state(momentum))
     }
 
@@ -102,7 +102,7 @@ impl SectionProblem for TopProblem {
         }
     }
 
-    fn plane(&self, numbers: &[f64]) -> [f64; 2] {
+    fn plane(&self, _: f64, numbers: &[f64]) -> [f64; 2] {
         self.section.plane(&self.state(numbers)).into()
     }
 

@@ -8,3 +8,4 @@ mod fluids_with_forces;
 mod sweeps_with_forces;
 mod refused_forces;
 mod begun_with_forces;
+mod sections_with_forces;

@@ -127,9 +127,8 @@ fn commands_of_closed_systems_say_which_table_they_do_not_take() {
     );
     for arguments in [
         ["compare", "top.toml", "--out", "a"],
-        ["section", "top.toml", "--out", "a"],
         ["animate", "top.toml", "--out", "a.html"],
-        ["section", "spin.toml", "--out", "a"],
+        ["animate", "spin.toml", "--out", "a.html"],
     ] {
         let done = folder.heavytop(&arguments);
         let table = if arguments[1] == "top.toml" { "[torque]" } else { "[damping]" };
