@@ -13,6 +13,7 @@ ARGUMENTS = [
     (heavytop.BodyInFluid, ([2, 2.5, 3], [3, 1.5, 2]), {"Pi": [1, 0.5, 0.2], "P": [0.3, 1, 0]}),
     (heavytop.EllipticalVortex, (1.0, 0.05), {"a": 1.5, "b": 0.5, "angle": 0.3}),
     (heavytop.Gyrostat, ([2, 2, 1], 1.0, [0, 0, 1], [0, 0, 2]), {"Pi": [0.5, 0, 3], "Gamma": [0.6, 0, 0.8]}),
+    (heavytop.ReactionWheels, ([3, 2, 1.5], [[0, 1, 0], [3, 0, 4]], 0.1), {"Omega": [0.3, 1, -0.2], "speeds": [3, 1]}),
     (heavytop.RigidBody, (4, [1, 1.5, 2, 2.5]), [1, 0.2, -0.3, 0.5, 0.1, 0.7]),
     (heavytop.Satellite, ([1, 1.2, 0.4], 1.3), {"pitch": 0.3, "roll": 0.1, "relative": [0.2, 0, -0.1]}),
     (heavytop.SpinChain, (3, 1.0, 0.3, [0, 0, 0.2]), [[1, 0, 0], [0, 1, 0], [0, 0.6, 0.8]]),
@@ -300,3 +301,52 @@ def test_a_satellite_without_eccentricity_is_that_on_a_circle():
 def test_impossible_orbits_are_refused(orbit, message):
     with pytest.raises(ValueError, match=message):
         heavytop.Satellite([1, 1.2, 0.4], 1.3, **orbit)
+
+
+WHEELS = ([3, 2, 1.5], [[0, 1, 0], [3, 0, 4]], [0.1, 0.05])
+
+
+def test_motors_move_momentum_between_body_and_wheels():
+    motors = [([0, 3.33, 8], [0.2, 0, 0], "constant"), "0.1*sin(t)"]
+    body = heavytop.ReactionWheels(*WHEELS, motors=motors)
+    start = {"Omega": [0.3, 0.5, -0.2], "speeds": [0, 20]}
+    run = body.solve(start, step=0.1, end=8)
+    assert np.allclose(body.angular_velocity(run.y)[:, 0], start["Omega"], atol=1e-15)
+    assert np.allclose(body.speeds(run.y[:, 0]), start["speeds"], atol=1e-13)
+    gained = run.y[3:, -1] - run.y[3:, 0]
+    assert np.allclose(gained, [0.2 * 3.33, 0.1 * (1 - np.cos(8))], atol=1e-13)
+    # The angular momentum of the whole turns in the body, and keeps its length.
+    assert abs(np.linalg.norm(run.y[:3], axis=0) / np.linalg.norm(run.y[:3, 0]) - 1).max() < 1e-13
+    assert np.ptp(run.y[1]) > 0.1
+    # A torque on l is the same, and a motor that does nothing is a wheel that turns freely.
+    same = heavytop.ReactionWheels(*WHEELS, inputs={"m": motors[0]}, torque={"l": ["m", "0.1*sin(t)"]})
+    assert np.abs(same.solve(start, step=0.1, end=8).y - run.y).max() < 1e-13
+    assert np.array_equal(pickle.loads(pickle.dumps(body)).solve(start, step=0.1, end=8).y, run.y)
+    free = heavytop.ReactionWheels(*WHEELS).solve(start, step=0.1, end=8)
+    idle = heavytop.ReactionWheels(*WHEELS, motors=[0, 0.0]).solve(start, step=0.1, end=8)
+    assert np.abs(idle.y - free.y).max() < 1e-10 and free.kept == ("h", "c1", "c2", "c3")
+
+
+def test_a_wheel_stops_the_swing_of_a_satellite():
+    def end(spring, brake):
+        law = {"l": [f"-{spring}*Gamma_1[1] + {brake}*((Pi2 - l1)/120 - 0.001)"]}
+        boom = heavytop.Satellite([100, 120, 40], 1e-3, axes=[0, 1, 0], inertias=0.05, torque=law)
+        return boom.angles(boom.solve({"pitch": 0.1, "speeds": [30]}, step=20, end=4000).y)[1][-1]
+
+    assert abs(end(9e-4, 0.6)) < 1e-4 and abs(end(0, 0)) > 1e-3
+
+
+def test_wrong_wheels_are_refused():
+    for change, message in [
+        ({"axes": [[0, 1, 0], [0, 0, 0]]}, "axes must be of a length that is not 0"),
+        ({"inertias": [0.1, 0.1, 0.1]}, "J must be a number for each of 2 axes, got 3"),
+        ({"motors": ["1"]}, "torque\\['l'\\] must have 2 formulas, got 1"),
+        ({"motors": [([0, 1], [1], "linear"), 0]}, "motor_1"),
+        ({"motors": [0, 0], "torque": {"l": [0, 0]}}, "write motors, or a torque on l"),
+    ]:
+        given = {"moments": WHEELS[0], "axes": WHEELS[1], "inertias": WHEELS[2], **change}
+        with pytest.raises(ValueError, match=message):
+            heavytop.ReactionWheels(**given)
+    short = heavytop.ReactionWheels(*WHEELS, motors=[([0, 1], [1, 1], "linear"), 0])
+    with pytest.raises(ValueError, match="from 0 to 1, and the run from 0 to 2"):
+        short.solve({"Omega": [0, 0, 1]}, step=0.1, end=2)

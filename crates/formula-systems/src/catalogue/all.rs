@@ -2,7 +2,8 @@
 
 use super::bodies::{
     body_in_fluid::BODY_IN_FLUID, body_with_rotors::BODY_WITH_ROTORS, gyrostat::GYROSTAT,
-    rigid_body::RIGID_BODY, satellite::SATELLITE, top_on_base::TOP_ON_BASE,
+    reaction_wheels::REACTION_WHEELS, rigid_body::RIGID_BODY, satellite::SATELLITE,
+    top_on_base::TOP_ON_BASE,
 };
 use super::fluids_and_spins::{
     elliptical_vortex::ELLIPTICAL_VORTEX, spin_chain::SPIN_CHAIN, vortices::VORTICES,
@@ -17,6 +18,7 @@ impl SystemKind {
         BODY_WITH_ROTORS,
         ELLIPTICAL_VORTEX,
         GYROSTAT,
+        REACTION_WHEELS,
         RIGID_BODY,
         SATELLITE,
         SPIN_CHAIN,

@@ -34,6 +34,7 @@ from .forced_bodies import DrivenTop, StochasticRigidBody
 from .kinds import BodyInFluid, EllipticalVortex, Gyrostat, RigidBody, Satellite, SpinChain, TopOnBase, Vortices
 from .methods import FORMULATIONS, SCHEMES
 from .paths import PathStatistics, Statistics, solve_paths
+from .reaction_wheels import ReactionWheels
 from .realisation import Realisation
 from .solution import Crossings, Solution
 from .system import System
@@ -57,6 +58,7 @@ __all__ = [
     "IntegrationError",
     "ManyVortices",
     "PathStatistics",
+    "ReactionWheels",
     "Realisation",
     "Report",
     "RigidBody",

@@ -134,6 +134,9 @@ class Satellite(System):
         eccentricity: of the orbit, below 1.
         mean_anomaly: at the time 0, rad; 0, at the pericentre, unless it is given.
         true_anomaly: at the time 0, rad, instead of the mean anomaly.
+        axes: of reaction wheels in the frame of the body, an array of shape (n, 3). Their angular momenta are coordinates l, their
+            motors a torque on l, and a start by angles may have `speeds` of the wheels against the body, rad/s: `ReactionWheels`.
+        inertias: of the wheels about their axes, kg m^2, a number or n of them; the moments are without these.
         forces: inputs, drive, damping, noise and torque, as for `System`.
 
     Example:
@@ -153,15 +156,18 @@ class Satellite(System):
         eccentricity: float = 0.0,
         mean_anomaly: Optional[float] = None,
         true_anomaly: Optional[float] = None,
+        axes: Optional[ArrayLike] = None,
+        inertias: Optional[ArrayLike] = None,
         **forces: Any,
     ) -> None:
         anomalies = {"mean_anomaly": mean_anomaly, "true_anomaly": true_anomaly}
         orbit = {"eccentricity": eccentricity, **{name: angle for name, angle in anomalies.items() if angle is not None}}
-        super().__init__(kind="satellite", parameters={"I": moments, "n": rate, **orbit}, **forces)
+        wheels = {**({} if axes is None else {"axes": axes}), **({} if inertias is None else {"J": inertias})}
+        super().__init__(kind="satellite", parameters={"I": moments, "n": rate, **orbit, **wheels}, **forces)
 
     def angles(self, y: ArrayLike) -> tuple[Floats, Floats, Floats]:
-        """Returns roll, pitch and yaw, in radians, at states of shape (9,) or (9, n); the pitch is from -pi/2 to pi/2."""
-        _, _, _, r1, r2, r3, n1, n2, n3 = self._states("y", y)
+        """Returns roll, pitch and yaw, in radians, at states of shape (d,) or (d, n); the pitch is from -pi/2 to pi/2."""
+        r1, r2, r3, n1, n2, n3 = self._states("y", y)[3:9]
         roll = np.arctan2(r2, r3)
         pitch = -np.arctan2(r1, np.hypot(r2, r3))
         # The axes e1 and e2 of the body turned back by the roll; the first component of the normal is sin(yaw) cos(pitch).

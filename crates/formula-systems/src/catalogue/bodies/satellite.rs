@@ -1,11 +1,12 @@
 //! A satellite in the gradient of gravity.
 
-use crate::algebras::system_algebra::SystemAlgebra;
+use super::wheels::{AXES, MOMENTS, SPEEDS, Wheels};
 use crate::catalogue::parameter::Parameter;
 use crate::catalogue::system_kind::{
     Description, ECCENTRICITY, Given, KindError, KindStart, ORBIT, Sign, SystemKind,
 };
 use lie_poisson_systems::KeplerOrbit;
+use nalgebra::Vector3;
 
 /// A rigid satellite on a circle or an ellipse, whose attitude is turned by the gradient of gravity.
 ///
@@ -20,6 +21,10 @@ use lie_poisson_systems::KeplerOrbit;
 ///
 /// On an ellipse n is the mean motion, and the rate dν/dt = n √(1 − e²)/u² stands for n in h, the tide GM/r³ = n²/u³ for n², with the
 /// ratio u = r/a of a [`KeplerOrbit`].
+///
+/// Reaction wheels may be in the body, as in [`REACTION_WHEELS`](super::reaction_wheels::REACTION_WHEELS): with q = Π − Σ `l_k a_k` the
+/// kinetic energy is ½ q·I⁻¹q + Σ `l_k`²/(2 `J_k`), and the tide acts on I and on the moments `J_k` about the axes. The algebra is then
+/// the sum with R^N.
 ///
 /// h is Jacobi's integral on a circle. The algebra is so(3) ⋉ (R³ ⊕ R³). The Casimirs are |Γ₁|², Γ₁·Γ₂ and |Γ₂|².
 ///
@@ -37,6 +42,8 @@ pub(in crate::catalogue) const SATELLITE: SystemKind = SystemKind {
         Parameter::number(ECCENTRICITY, "of the orbit, below 1").or(&[0.0]),
         Parameter::number("mean_anomaly", "at t = 0, rad, 0 at the pericentre").or(&[0.0]),
         Parameter::number("true_anomaly", "at t = 0, rad, instead of it").or(&[0.0]),
+        AXES.or(&[]),
+        MOMENTS.or(&[]),
     ],
     describe,
     orbit: Some(orbit),
@@ -47,6 +54,7 @@ pub(in crate::catalogue) const SATELLITE: SystemKind = SystemKind {
             Parameter::number("yaw", "about e3, along the radius, rad").or(&[0.0]),
             Parameter::vector("relative", 3, "angular velocity against the orbit, rad/s")
                 .or(&[0.0; 3]),
+            SPEEDS.or(&[]),
         ],
         coordinates,
     }),
@@ -59,12 +67,16 @@ fn describe(given: &Given<'_>) -> Result<Description, KindError> {
         None => ["n", "n^2"],
         Some(_) => ORBIT,
     };
-    let hamiltonian =
-        format!("sum(Pi[i]^2/I[i])/2 - {rate}*(Pi·Gamma_2) + 3*{tide}*sum(I[i]*Gamma_1[i]^2)/2");
+    let wheels = Wheels::of(given)?;
+    let (kinetic, added) = (wheels.energy(), wheels.added_moment("Gamma_1"));
+    let moment = match wheels.are_none() {
+        true => "sum(I[i]*Gamma_1[i]^2)".into(),
+        false => format!("(sum(I[i]*Gamma_1[i]^2){added})"),
+    };
     Ok(Description {
-        algebra: SystemAlgebra::named("so(3) |x (R3 + R3)")?,
-        hamiltonian,
-        parameters: given.parameters(&["I", "n"])?,
+        algebra: wheels.algebra("so(3) |x (R3 + R3)", &["Pi", "Gamma"])?,
+        hamiltonian: format!("{kinetic} - {rate}*(Pi·Gamma_2) + 3*{tide}*{moment}/2"),
+        parameters: wheels.parameters(given.parameters(&["I", "n"])?)?,
         has_plus_bracket: false,
     })
 }
@@ -91,15 +103,16 @@ fn orbit(given: &Given<'_>) -> Result<Option<KeplerOrbit>, KindError> {
     orbit.map(Some).map_err(refused)
 }
 
-/// Returns Π = I(w + n Γ₂) and the directions that a body sees after the turns.
+/// Returns Π, the directions that a body sees after the turns, and the angular momenta of the wheels, for Ω = w + n Γ₂.
 fn coordinates(system: &Given<'_>, start: &Given<'_>) -> Result<Vec<f64>, KindError> {
     let [(sr, cr), (sp, cp), (sy, cy)] =
         ["roll", "pitch", "yaw"].map(|name| start.number(name).sin_cos());
     let radial = [-sp, sr * cp, cr * cp];
     let normal = [sy * cp, cr * cy + sr * sy * sp, cr * sy * sp - sr * cy];
     let relative = start.values("relative");
-    let moments = system.values("I");
     let rate = orbit(system)?.map_or(system.number("n"), |orbit| orbit.rate(0.0));
-    let momentum = (0..3).map(|i| moments[i] * (relative[i] + rate * normal[i]));
-    Ok(momentum.chain(radial).chain(normal).collect())
+    let omega =
+        Vector3::from_iterator(relative.iter().zip(normal).map(|(w, normal)| w + rate * normal));
+    let (pi, l) = Wheels::of(system)?.momenta(&system.values("I"), omega, start)?;
+    Ok(pi.iter().copied().chain(radial).chain(normal).chain(l).collect())
 }

@@ -3,6 +3,7 @@
 mod driven_formulas;
 mod forced_formulas;
 mod laws_of_open_systems;
+mod motors_of_wheels;
 mod noisy_formulas;
 mod gilbert_spins;
 mod satellites_on_ellipses;

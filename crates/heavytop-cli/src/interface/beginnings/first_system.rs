@@ -25,7 +25,7 @@ struct Template {
     times: [f64; 2],
 }
 
-const TEMPLATES: [Template; 12] = [
+const TEMPLATES: [Template; 13] = [
     Template {
         kind: "body-in-fluid",
         parameters: &[("inertia", "[1, 2, 3]"), ("masses", "[1, 2, 4]")],
@@ -54,6 +54,16 @@ const TEMPLATES: [Template; 12] = [
         ],
         initial: &[("Pi", "[0.5, 0, 3]"), ("Gamma", "[0.6, 0, 0.8]")],
         times: [0.02, 50.0],
+    },
+    Template {
+        kind: "reaction-wheels",
+        parameters: &[
+            ("I", "[3, 2, 1.5]"),
+            ("axes", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]"),
+            ("J", "0.1"),
+        ],
+        initial: &[("Omega", "[0.1, 0.3, 0.2]"), ("speeds", "[0, 0, 10]")],
+        times: [0.1, 60.0],
     },
     Template {
         kind: "rigid-body",

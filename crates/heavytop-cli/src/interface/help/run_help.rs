@@ -179,10 +179,12 @@ Kinds, and their parameters (* if they may be left out):
   elliptical-vortex   strength, strain*, rotation*; initial a, b, angle*, or mu, of which
                       mu3 +- |(mu1, mu2)| = a^2, b^2, and (mu1, mu2) has twice the angle
   gyrostat            inertia, weight, center_of_mass, rotor; coordinates Pi, Gamma
+  reaction-wheels     I, axes, J; initial Omega*, speeds*, or Pi, l; motors are [torque] l
   rigid-body          moments, of the mass along each of n axes; coordinates Pi, or L12, L13, ...
   satellite           I, n, eccentricity*, mean_anomaly* or true_anomaly*; initial roll*, pitch*,
                       yaw*, relative*, or Pi, Gamma_1, Gamma_2; on an ellipse the Hamiltonian
-                      depends on t, and formulas of forces may name orbit_rate and orbit_tide
+                      depends on t, and formulas of forces may name orbit_rate and orbit_tide;
+                      with axes*, J*, initial speeds* also wheels, as of reaction-wheels
   spin-chain          spins, exchange, anisotropy*, field*, periodic*; coordinates S_1, S_2, ...
   top-on-base         inertia, mass, base_mass, gravity, center_of_mass; coordinates Pi, P, Gamma
   vortices            strengths; initial positions on the unit sphere, or m_1, m_2, ...

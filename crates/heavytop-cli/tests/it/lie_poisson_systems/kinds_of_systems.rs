@@ -7,7 +7,7 @@ use lie_poisson_formulas::Parameters;
 use lie_poisson_runs::{Experiment, Pace, RunFailure, Schedule};
 
 /// A system by kind: its name, the names of its columns, and the numbers of `parameters` and `initial` as TOML.
-const KINDS: [(&str, &str, &str, &str); 9] = [
+const KINDS: [(&str, &str, &str, &str); 10] = [
     (
         "body-in-fluid",
         "Pi1,Pi2,Pi3,P1,P2,P3,h,c1,c2",
@@ -31,6 +31,12 @@ const KINDS: [(&str, &str, &str, &str); 9] = [
         "Pi1,Pi2,Pi3,Gamma1,Gamma2,Gamma3,h,c1,c2",
         "inertia = [2, 2, 1], weight = 1, center_of_mass = [0, 0, 1], rotor = [0, 0, 2]",
         "Pi = [0.5, 0, 3], Gamma = [0.6, 0, 0.8]",
+    ),
+    (
+        "reaction-wheels",
+        "Pi1,Pi2,Pi3,l1,l2,h,c1,c2,c3",
+        "I = [1, 2, 3], axes = [[0, 1, 0], [3, 0, 4]], J = 0.1",
+        "Omega = [0.3, 1, 0.2], speeds = [2, -3]",
     ),
     (
         "rigid-body",

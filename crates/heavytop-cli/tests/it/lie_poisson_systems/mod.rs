@@ -1,5 +1,6 @@
 //! Systems that a configuration describes by an algebra and a formula.
 
+mod bodies_with_wheels;
 mod kinds_of_systems;
 mod system_sections;
 mod system_sweeps;
