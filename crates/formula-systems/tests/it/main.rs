@@ -4,6 +4,7 @@
 mod algebra_expressions;
 mod algebras_of_systems;
 mod casimirs;
+mod catalogue;
 mod collective_by_expression;
 mod laws_of_systems;
 mod methods;

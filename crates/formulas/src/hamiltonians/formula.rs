@@ -219,7 +219,7 @@ impl Formula {
     /// use lie_poisson::So3;
     /// use lie_poisson_formulas::{Formula, Parameters, Vocabulary};
     /// let names = Vocabulary::of(&So3, &Parameters::new())?;
-    /// let h = Formula::new("sign(Pi1) + 0*Pi2", &names)?;
+    /// let h = Formula::new("if(Pi1 > 0, 1, 2) + 0*Pi2", &names)?;
     /// assert_eq!([0, 1, 2].map(|i| h.depends_on(i)), [true, false, false]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

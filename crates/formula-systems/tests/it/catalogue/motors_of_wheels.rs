@@ -1,7 +1,7 @@
 //! Bodies with reaction wheels by name: exchanges of momentum by hand, the compiled body, the power of the motors, and satellites with
 //! wheels.
 
-use super::support::{after, distance, method};
+use crate::open_systems::support::{after, distance, method};
 use collective_integrators::{AnyState, Driven, RungeKutta, Start};
 use lie_poisson::{Covector, Pair, Real, Time, TimeDependent};
 use lie_poisson_formula_systems::{

@@ -1,7 +1,7 @@
 //! Satellites by name on ellipses: Beletskii's equation, the libration that a small eccentricity drives, the limit on a circle, the
 //! rates of the compiled satellite, orders, and refusals.
 
-use super::support::{after, distance};
+use crate::open_systems::support::{after, distance};
 use collective_integrators::{AnyState, Driven, RungeKutta, Start, fitted_order};
 use lie_poisson::{Pair, State, Time, Vector};
 use lie_poisson_formula_systems::{
@@ -103,7 +103,7 @@ fn distance_from_linear_theory(e: f64) -> f64 {
     let mu = start(&parameters, 0.0, response * orbit.rate(0.0));
     let step = TAU / RATE / 30.0;
     let system = open(parameters, step).unwrap();
-    let method = super::support::method(&system, "collective", "gauss-6");
+    let method = crate::open_systems::support::method(&system, "collective", "gauss-6");
     let gauss = system.tangent_integrator(&method, &mu).unwrap();
     let run = gauss.trajectory(&AnyState::from_slice(&mu), step).unwrap();
     run.take(46).map(Result::unwrap).fold(0.0, |largest, sample| {
