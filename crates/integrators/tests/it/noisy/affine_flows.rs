@@ -1,13 +1,13 @@
 //! Flows of affine fields, and with them those of constant noise, against closed forms.
 
-use super::support::{Axial, Told, isotropic, on_path};
+use super::support::{AXIS, AboutAxis, Axial, Told, isotropic, on_path};
 use collective_integrators::{
     BrownianPaths, Integrator, NoiseRule, Noisy, RungeKutta, Start, StepError, affine_flow,
 };
 use lie_poisson::generic_scalars::{DefaultLanes, Lanes};
 use lie_poisson::{
-    Covector, Differential, DualNumber, LieGroup, LiePoisson, Noise, OrbitField, Pair, Point,
-    PoissonSpace, Real, RealSpace, SE3, SL2, Se3, Se3Dual, So3, State, Vector, derivative_part,
+    Covector, Differential, DualNumber, LieGroup, LiePoisson, OrbitField, Pair, Point,
+    PoissonSpace, Real, RealSpace, SE3, SL2, Se3, Se3Dual, State, Vector, derivative_part,
     map_coordinates,
 };
 use momentum_map::{
@@ -20,8 +20,6 @@ fn flow<V: State>(field: impl Fn(&V) -> V, time: f64, z: &V) -> V {
     affine_flow(|v, rate| *rate = field(v), time, &mut z).unwrap();
     z
 }
-
-const AXIS: Vector3<f64> = Vector3::new(0.6, 0.0, 0.8);
 
 /// Turns by any angle: each of its parts, of a radian and more, has some rounding errors.
 #[test]
@@ -107,24 +105,6 @@ fn what_is_not_finite_is_refused_and_the_point_is_left() {
     }
     let mut z = Vector3::x();
     assert!(affine_flow(|_, rate| *rate = Vector3::repeat(f64::NAN), 1.0, &mut z).is_err());
-}
-
-/// One field of noise, along an axis.
-struct AboutAxis(f64);
-
-impl<T: Real> Noise<LiePoisson<So3>, T> for AboutAxis {
-    fn count(&self) -> usize {
-        1
-    }
-
-    fn element(&self, _: &Covector<Vector3<T>>, _: T, weights: &[T]) -> Vector3<T> {
-        let axis: Vector3<T> = map_coordinates(&AXIS, T::from_f64);
-        axis * (weights[0] * self.0)
-    }
-
-    fn is_constant(&self) -> bool {
-        true
-    }
 }
 
 /// Without drift a spin turns about the axis by W(t), also in steps that turn it by many radians.

@@ -7,4 +7,5 @@ mod noisy_casimirs;
 mod noisy_orders;
 mod noisy_reduced;
 mod paths_of_runs;
+mod regressed_orders;
 mod support;

@@ -9,19 +9,19 @@ use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 
 /// A spin in the field e₃ with noise of different strengths along the axes, so that its mean does not commute with the turn: E s(t) =
 /// exp(t(E₃ + ½ Σ_k σ_k² E_k²)) s(0) with the matrices E_k of s ↦ s × e_k.
-const STRENGTHS: [f64; 3] = [0.9, 0.4, 0.7];
+pub const STRENGTHS: [f64; 3] = [0.9, 0.4, 0.7];
 
-fn noise() -> IsotropicNoise {
+pub fn noise() -> IsotropicNoise {
     let [x, y, z] = STRENGTHS.map(|strength| strength * strength);
     let inner_product = InnerProduct::new(&[x, 0.0, 0.0, 0.0, y, 0.0, 0.0, 0.0, z]).unwrap();
     IsotropicNoise { inner_product, strength: 1.0 }
 }
 
-fn start() -> Vector3<f64> {
+pub fn start() -> Vector3<f64> {
     Vector3::new(0.8, 0.0, 0.6)
 }
 
-fn exact_mean(t: f64) -> Vector3<f64> {
+pub fn exact_mean(t: f64) -> Vector3<f64> {
     let matrix =
         |k: usize| Matrix3::from_fn(|i, j| Vector3::ith(j, 1.0).cross(&Vector3::ith(k, 1.0))[i]);
     let noise = (0..3).map(|k| matrix(k).pow(2) * (0.5 * STRENGTHS[k].powi(2)));
@@ -29,9 +29,9 @@ fn exact_mean(t: f64) -> Vector3<f64> {
     (1..40).rev().fold(start(), |sum, k| start() + rate * sum * (t / f64::from(k)))
 }
 
-type Spin<N> = Noisy<RungeKutta, HopfRealisation, Axial, N>;
+pub type Spin<N> = Noisy<RungeKutta, HopfRealisation, Axial, N>;
 
-fn spin<N>((rule, stages): (NoiseRule, usize), noise: N, interval: f64) -> Spin<N>
+pub fn spin<N>((rule, stages): (NoiseRule, usize), noise: N, interval: f64) -> Spin<N>
 where
     N: Noise<LiePoisson<So3>>,
 {
@@ -96,7 +96,7 @@ const METHODS: [(Method, f64); 5] = [
 /// Returns the turn of a step with the constant field v, dΠ/dt = Π × v over the time 1. On C² Gauss's method is the diagonal
 /// Padé approximation of exp(iφ) with φ = |v|/2, whose angle is twice that of its numerator; Π turns by twice the angle of C².
 /// Without stages the turn is exact.
-fn turn(v: Vector3<f64>, stages: Option<usize>) -> Matrix3<f64> {
+pub fn turn(v: Vector3<f64>, stages: Option<usize>) -> Matrix3<f64> {
     let phi = v.norm() / 2.0;
     let numerator = match stages {
         None => phi / 2.0,
@@ -119,25 +119,32 @@ fn mean_over_normals(f: &dyn Fn(f64) -> Matrix3<f64>) -> Matrix3<f64> {
     sum.fold(Matrix3::zeros(), |sum, term| sum + term)
 }
 
-/// Returns the mean of the method itself at t = 2, without sampling. The equations are linear, so that it is a power of the mean
-/// matrix of a step.
+/// Returns the mean of the method itself at t = 2, without sampling.
 fn mean_of_method((rule, stages, is_exact): Method, count: u64) -> Vector3<f64> {
+    let is_exact = is_exact && rule == NoiseRule::Alternating;
+    mean_of_turns(rule, [Some(stages), if is_exact { None } else { Some(stages) }], count)
+}
+
+/// Returns the mean at t = 2 of steps whose turns by the drift and by the noise have so many stages or are exact; those together have
+/// the turns of the noise. The equations are linear, so that it is a power of the mean matrix of a step.
+pub fn mean_of_turns(
+    rule: NoiseRule,
+    [of_drift, of_noise]: [Option<usize>; 2],
+    count: u64,
+) -> Vector3<f64> {
     let step = 2.0 / count as f64;
     let drift = Vector3::z() * step;
     let [a, b, c] = STRENGTHS.map(|strength| strength * step.sqrt());
     let mean = match rule {
         NoiseRule::Together => mean_over_normals(&|x| {
             mean_over_normals(&|y| {
-                mean_over_normals(&|z| {
-                    turn(drift + Vector3::new(a * x, b * y, c * z), Some(stages))
-                })
+                mean_over_normals(&|z| turn(drift + Vector3::new(a * x, b * y, c * z), of_noise))
             })
         }),
         NoiseRule::Alternating => {
-            let of_noise = if is_exact { None } else { Some(stages) };
             let [a, b, c] = [Vector3::x() * a, Vector3::y() * b, Vector3::z() * c]
                 .map(|axis| mean_over_normals(&|x| turn(axis * x, of_noise)));
-            let half = turn(drift * 0.5, Some(stages));
+            let half = turn(drift * 0.5, of_drift);
             half * (a * b * c + c * b * a) * half * 0.5
         }
     };

@@ -45,6 +45,27 @@ impl<P: PoissonSpace, T: Real> Noise<P, T> for Told {
     }
 }
 
+/// The axis of [`AboutAxis`].
+pub const AXIS: Vector3<f64> = Vector3::new(0.6, 0.0, 0.8);
+
+/// One field of noise of a strength, along an axis that is not that of [`Axial`].
+#[derive(Clone, Copy, Debug)]
+pub struct AboutAxis(pub f64);
+
+impl<T: Real> Noise<LiePoisson<So3>, T> for AboutAxis {
+    fn count(&self) -> usize {
+        1
+    }
+
+    fn element(&self, _: &Covector<Vector3<T>>, _: T, weights: &[T]) -> Vector3<T> {
+        AXIS.map(T::from_f64) * (weights[0] * self.0)
+    }
+
+    fn is_constant(&self) -> bool {
+        true
+    }
+}
+
 /// A momentum, the number of its path, and the time.
 pub type OnPath<P> = Pair<P, Pair<PathNumber, Time>>;
 
