@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pytest
 
-from heavytop import System, lyapunov, solve_many
+from heavytop import SpinChain, SpinLattice, System, lyapunov, solve_many
 
 SPIN = [1.0, 0.0, 0.0]
 
@@ -36,6 +36,49 @@ def test_a_damped_spin_has_its_closed_form(friction):
     run = System("so(3)", "-Pi3", damping=friction).solve(SPIN, step=0.1, end=10)
     assert abs(run.y[2, -1] - np.tanh(5)) < 1e-12
     assert (np.diff(run.invariants["h"]) < 0).all() and run.deviation("c1") < 1e-13
+
+
+@pytest.mark.parametrize(("form", "rates"), [("landau-lifshitz", (1, 0.5)), ("gilbert", (0.8, 0.2))])
+def test_a_spin_has_the_closed_form_of_each_damping(form, rates):
+    """A spin of length 2 in a field 3 along e3: s3 = 2 tanh(2 b B t), and it turns by a B t."""
+    factor, friction = rates
+    run = System("so(3)", "-3*Pi3", bracket="plus", damping={"friction": 0.5, "form": form}).solve([2, 0, 0], step=0.05, end=2)
+    x, y, z = run.y
+    assert np.abs(z - 2 * np.tanh(2 * friction * 3 * run.t)).max() < 1e-9 and run.deviation("c1") < 1e-13
+    early = run.t < 1
+    assert np.abs(np.unwrap(np.arctan2(y, x))[early] + factor * 3 * run.t[early]).max() < 1e-9
+
+
+def test_forms_of_damping_are_of_spins():
+    spins = np.random.default_rng(1).normal(size=9)
+    by_name = SpinChain(3, 1.0, damping={"friction": 0.4, "form": "gilbert"})
+    run = by_name.solve(spins, step=0.05, end=5)
+    assert np.abs(np.linalg.norm(run.y.reshape(3, 3, -1), axis=1) - np.linalg.norm(spins.reshape(3, 3), axis=1)[:, None]).max() < 1e-13
+    assert (np.diff(run.invariants["h"]) < 0).all()
+    # Gilbert's equation of each spin, in the plus bracket; the chain and the lattice have one rate.
+    free, rate = SpinChain(3, 1.0).rate(spins).reshape(3, 3), by_name.rate(spins).reshape(3, 3)
+    lengths = np.linalg.norm(spins.reshape(3, 3), axis=1)[:, None]
+    assert np.allclose(rate, free - 0.4 / lengths * np.cross(spins.reshape(3, 3), rate), atol=1e-14)
+    lattice = SpinLattice(3, 1.0, damping={"friction": 0.4, "form": "gilbert"})
+    assert np.allclose(lattice.rate(spins).reshape(3, 3), rate, atol=1e-14)
+    # One friction for all spins needs no inner product.
+    one = SpinChain(3, 1.0, damping={"friction": 0.4, "form": "landau-lifshitz"})
+    other = SpinChain(3, 1.0, damping={"friction": 0.4, "inner_product": 1})
+    assert np.array_equal(one.rate(spins), other.rate(spins))
+    assert np.array_equal(pickle.loads(pickle.dumps(one)).rate(spins), one.rate(spins))
+    with pytest.raises(ValueError, match="a form of damping is of spins, .*: se\\(3\\) has friction with inner_product"):
+        System("se(3)", "Pi3", damping={"friction": 1, "form": "landau-lifshitz"})
+
+
+def test_spins_with_gilberts_damping_have_langevins_means():
+    pair = System("so(3)^2", "-Pi_1_3 - Pi_2_3", damping={"friction": 1, "form": "gilbert"}, noise={"temperature": 0.5})
+    start = np.tile([[1.0], [0], [0], [0], [2], [0]], 1000)
+    ends = solve_many(pair, start, step=0.1, end=12, scheme="implicit-midpoint")
+    for length, s3 in ((1, ends.y[2]), (2, ends.y[5])):
+        error = s3.std() / np.sqrt(s3.size)
+        langevin = lambda x: length * (1 / np.tanh(x) - 1 / x)  # noqa: E731
+        assert abs(s3.mean() - langevin(2 * length)) < 4 * error < 0.08
+        assert abs(s3.mean() - langevin(length)) > 4 * error, "control: twice the temperature"
 
 
 def test_a_drive_adds_to_the_differential_in_every_form():
@@ -185,6 +228,13 @@ def test_a_kind_may_have_forces():
     [
         ({"damping": -1}, "friction must be 0 or a positive number, it is -1"),
         ({"damping": {"theta": 1}}, "damping has no 'theta'"),
+        ({"damping": np.nan}, "friction must be 0 or a positive number, it is nan"),
+        ({"damping": 1, "noise": {"temperature": np.inf}}, "temperature must be 0 or a positive number, it is inf"),
+        ({"damping": 0, "noise": {"temperature": 0.5}}, "beside temperature = 0.5 the friction must be a positive number, it is friction = 0"),
+        ({"damping": {"friction": 0, "form": "gilbert"}, "noise": {"temperature": 2}}, "it is friction = 0"),
+        ({"damping": {"form": "gilbert"}}, "damping has no friction"),
+        ({"damping": {"friction": 1, "form": "bloch"}}, "form must be one of landau-lifshitz, gilbert"),
+        ({"damping": {"friction": 1, "form": "gilbert", "inner_product": 1}}, "damping with form has no 'inner_product'"),
         ({"damping": {}}, "no friction"),
         ({"damping": {"friction": 1, "inner_product": [1, 2]}}, "2 rows, and the algebra 3"),
         ({"noise": {"temperature": 1}}, "a temperature needs a friction"),

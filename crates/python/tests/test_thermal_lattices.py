@@ -109,7 +109,10 @@ def test_a_chain_by_formula_has_the_forces_of_systems():
         ({"damping": {"form": "gilbert"}}, "damping has no friction"),
         ({"damping": {"friction": 1, "form": "bloch"}}, "form must be one of landau-lifshitz, gilbert"),
         ({"damping": {"friction": 1, "inner_product": 1}}, "has no 'inner_product'"),
-        ({"damping": np.nan}, "friction must be finite"),
+        ({"damping": np.nan}, "friction must be 0 or a positive number, it is nan"),
+        ({"damping": {"friction": np.inf, "form": "gilbert"}}, "friction must be 0 or a positive number, it is inf"),
+        ({"damping": 1, "noise": {"temperature": np.nan}}, "temperature must be 0 or a positive number, it is nan"),
+        ({"damping": 0, "noise": {"temperature": 0.5}}, "beside temperature = 0.5 the friction must be a positive number, it is friction = 0"),
         ({"noise": {"temperature": 1}}, "a temperature needs a friction"),
         ({"damping": 1, "noise": {"temperature": -1}}, "it is -1"),
         ({"damping": 1, "noise": {"strength": 1}}, "noise of a lattice has no 'strength'; there are temperature, seed"),
@@ -143,7 +146,7 @@ def test_what_there_is_not_is_refused_with_a_reason():
         solve_many(ring(4, 1.0, path=2**53 - 2), [UP] * 3, step=0.05, end=1)
     with pytest.warns(RuntimeWarning, match="the noise turns the state by about 4.0e-1"):
         ring(4, 1.6).solve(UP, step=0.05, end=1)
-    with pytest.raises(ValueError, match="spin-lattice has friction and a temperature"):
+    with pytest.raises(ValueError, match="spin-lattice has friction, a temperature and a field in time"):
         ArraySystem("vibrating-lattice", {"atoms": 4, "exchange": 1.0}, damping=1.0)
     with pytest.raises(TypeError):
         VibratingLattice(4, 1.0, damping=1.0)

@@ -35,7 +35,7 @@
 //! | the model of a system by formula | [`FormulaSystem`](lie_poisson_formula_systems::FormulaSystem) |
 //! | the model of a system, or of a top, that is driven, damped, noisy or forced | [`OpenSystem`](lie_poisson_formula_systems::OpenSystem), [`OpenTop`] |
 //! | a lattice of spins, a fluid on the sphere, any number of vortices, by name | [`ArrayKind`], [`ArraySystem`], [`Arguments`] |
-//! | a lattice of spins with friction, or at a temperature | [`OpenArrays`], [`LatticeTerms`], [`LatticeNoise`], [`SpinDamping`], [`NoisePaths`] |
+//! | a lattice of spins with friction, at a temperature, or in a field that depends on the time | [`OpenArrays`], [`LatticeTerms`], [`LatticeField`], [`LatticeNoise`], [`SpinDamping`], [`NoisePaths`] |
 //! | a fluid on the sphere with viscosity, forces or noise | [`OpenArrays`], [`FluidTerms`], [`FluidNoise`], [`HarmonicShell`], [`NoisePaths`] |
 //! | any of them | [`ArrayTerms`] |
 //! | the rows of a run one by one | [`Experiment`] |
@@ -74,6 +74,7 @@ pub use arrays::array_system::ArraySystem;
 pub use arrays::open::array_terms::{
     ArrayTerms, FluidNoise, FluidTerms, HarmonicShell, LatticeNoise, LatticeTerms,
 };
+pub use arrays::open::lattice_field::LatticeField;
 pub use arrays::open::noise_paths::NoisePaths;
 pub use arrays::open::open_arrays::OpenArrays;
 pub use error::RunFailure;

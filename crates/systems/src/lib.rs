@@ -127,6 +127,7 @@ pub use spin_chain::heisenberg_chain::HeisenbergChain;
 pub use spin_lattice::heisenberg_lattice::HeisenbergLattice;
 pub use spin_lattice::lattice_midpoint::{LatticeMidpoint, LatticeWorkspace};
 pub use spin_lattice::vibrating_lattice::{SpinLattice, SpinLatticeSpace};
+pub use spins_at_temperature::field_in_time::FieldInTime;
 pub use spins_at_temperature::langevin_spins::{LangevinSpins, LangevinWorkspace};
 pub use spins_at_temperature::site_rotation::SpinDamping;
 pub use vortices::many_vortices::ManyVortices;

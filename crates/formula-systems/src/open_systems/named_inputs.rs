@@ -5,7 +5,7 @@ use crate::catalogue::system_kind::ORBIT;
 use crate::error::FormulaSystemError;
 use crate::open_system_error::OpenSystemError;
 use lie_poisson::{InputTable, Real};
-use lie_poisson_formulas::{Parameters, Vocabulary};
+use lie_poisson_formulas::{Coordinates, Parameters, Vocabulary};
 use lie_poisson_systems::KeplerOrbit;
 
 /// Inputs u(t) by tables, whose names formulas may use beside the coordinates and the time `t`; and, of a system on an ellipse, the
@@ -60,7 +60,23 @@ impl NamedInputs {
         algebra: &SystemAlgebra,
         parameters: &Parameters,
     ) -> Result<Vocabulary, OpenSystemError> {
-        let mut coordinates = algebra.coordinates().clone();
+        self.vocabulary_after(algebra.coordinates().clone(), parameters)
+    }
+
+    /// Returns the names for formulas in the time alone: `t` and the inputs.
+    ///
+    /// # Errors
+    /// Returns [`OpenSystemError::InputName`] for a name that cannot be one or is there already.
+    pub fn vocabulary_of_time(&self) -> Result<Vocabulary, OpenSystemError> {
+        self.vocabulary_after(Coordinates::new(), &Parameters::new())
+    }
+
+    /// Returns the names of coordinates, then `t`, the inputs and the parameters.
+    fn vocabulary_after(
+        &self,
+        mut coordinates: Coordinates,
+        parameters: &Parameters,
+    ) -> Result<Vocabulary, OpenSystemError> {
         let wrong = |name: &str, reason| match name {
             Self::TIME => OpenSystemError::TimeName,
             _ => OpenSystemError::InputName { name: name.into(), reason },
@@ -133,13 +149,15 @@ impl NamedInputs {
     }
 
     /// Returns the times of all tables, and that of the pericentre, where a satellite is fastest.
-    pub(super) fn times(&self) -> impl Iterator<Item = f64> {
+    pub fn times(&self) -> impl Iterator<Item = f64> {
         let times = self.tables.iter().flat_map(|(_, table)| table.breakpoints().iter().copied());
         times.chain(self.orbit.iter().map(KeplerOrbit::pericentre))
     }
 
-    /// Returns the next breakpoint after a time, or before it.
-    pub(crate) fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+    /// Returns the next time of a table strictly after a time, or strictly before it if `forward` is false, at which an input may
+    /// jump.
+    #[must_use]
+    pub fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
         let breaks = self.tables.iter().filter_map(|(_, table)| table.next_break(time, forward));
         match forward {
             true => breaks.reduce(f64::min),

@@ -23,7 +23,8 @@ Open = tuple[
     Optional[Sequence[Source]],
 ]
 Path = tuple[int, int, Optional[float], Optional[float]]
-Lattice = tuple[Optional[tuple[float, bool]], Optional[tuple[float, Path]]]
+Field = tuple[Sequence[tuple[str, Sequence[float], Sequence[float], str]], Sequence[Source]]
+Lattice = tuple[Optional[tuple[float, bool]], Optional[tuple[float, Path]], Optional[Field]]
 Shells = list[tuple[tuple[int, int], float]]
 Fluid = tuple[tuple[float, int, float], list[list[float]], Optional[tuple[Shells, Shells, Path]]]
 Callback = tuple[Callable[[Floats, float], float], int, int]

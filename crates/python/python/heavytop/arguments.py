@@ -28,10 +28,10 @@ def real(name: str, value: Any) -> float:
 
 
 def not_negative(name: str, value: Any) -> float:
-    """Returns a finite number of at least 0."""
+    """Returns a finite number of at least 0, such as a friction, or a moment of inertia, which is 0 for a thin rod."""
     number = scalar(name, value)
     if not 0 <= number < math.inf:
-        raise ValueError(f"the {name} must be 0 or a positive number, it is {number:g}")
+        raise ValueError(f"{name} must be 0 or a positive number, it is {number:g}")
     return number
 
 
@@ -52,14 +52,6 @@ def course(step: Any, end: Any) -> tuple[float, float]:
     if step < 0 < end:
         raise ValueError(f"end must be before 0 for a run backward in time, with a step of {step}, got {end}")
     return math.copysign(step, end), end
-
-
-def not_negative(name: str, value: Any) -> float:
-    """Returns a number that is not negative, such as a moment of inertia, which is 0 for a thin rod."""
-    number = real(name, value)
-    if number < 0:
-        raise ValueError(f"{name} must not be negative, got {number}")
-    return number
 
 
 def count(name: str, value: Any, least: int) -> int:

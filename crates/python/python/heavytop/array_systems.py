@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from .arguments import array, count, numbers
 from .events import Events, NativeEvent, event_parts, list_of
-from .open_terms import native_arrays
+from .open_terms import Inputs, native_arrays
 from .solution import Floats, Solution
 from .system import System
 from .system_description import Parameters, State
@@ -47,6 +47,8 @@ class ArraySystem(System):
         damping: of a lattice of spins, as for `SpinLattice`, or of a fluid, as for `SphereFluid`.
         noise: of a lattice of spins or a fluid, the same.
         torque: of a fluid, as for `SphereFluid`.
+        drive: of a lattice of spins, as for `SpinLattice`.
+        inputs: of a lattice of spins, the same.
     """
 
     def __init__(
@@ -56,10 +58,12 @@ class ArraySystem(System):
         damping: Union[None, float, Mapping[str, Any]] = None,
         noise: Optional[Mapping[str, Any]] = None,
         torque: Optional[Mapping[str, Any]] = None,
+        drive: Optional[Mapping[str, Any]] = None,
+        inputs: Optional[Inputs] = None,
     ) -> None:
         self._numbers = numbers_of("parameters", parameters)
         self._kind = self._algebra = str(kind)
-        terms = native_arrays(self._kind, damping, noise, torque)
+        terms = native_arrays(self._kind, damping, noise, torque, drive, inputs)
         self._arrays = _native.Arrays(self._kind, self._numbers, terms)
         # The methods of `System` need no more of it than it has.
         self._system: Any = self._arrays
@@ -208,8 +212,12 @@ class SpinLattice(ArraySystem):
         damping: the friction theta of Landau and Lifshitz, ds/dt = s x H - theta s x (s x H); or {"friction": alpha, "form":
             "gilbert"}, ds/dt = s x H - (alpha/|s|) s x ds/dt. It lowers h and keeps every |s|.
         noise: {"temperature": kT}, which goes with a damping: after a while states have the weight exp(-h/kT). Besides "seed" (1), "path"
-            (0), "interval" and "bound" as for `System`. With damping or noise the method is "direct", "implicit-midpoint", without
-            tangent vectors; the energy h, the total spin (M1, M2, M3) and C have values, of which C is kept.
+            (0), "interval" and "bound" as for `System`. With damping, noise or a drive the method is "direct", "implicit-midpoint",
+            without tangent vectors; the energy h, the total spin (M1, M2, M3) and C have values, of which C is kept.
+        drive: {"field": B(t)}, a uniform field that is added to `field` and depends on the time: three formulas in t and the
+            inputs, or a function of t, or of x and t with the inputs as `x.u`. h has the field of its time, so that dh/dt =
+            -dB/dt.sum s_i without friction and noise.
+        inputs: numbers u(t) by tables, by name, as for `System`. Steps are divided at their times.
 
     Example:
         A spin wave on a cone about z turns at 2 J cos(cone) (1 - cos k):
@@ -235,6 +243,8 @@ class SpinLattice(ArraySystem):
         periodic: Union[bool, Sequence[bool]] = True,
         damping: Union[None, float, Mapping[str, Any]] = None,
         noise: Optional[Mapping[str, Any]] = None,
+        drive: Optional[Mapping[str, Any]] = None,
+        inputs: Optional[Inputs] = None,
     ) -> None:
         given: dict[str, Any] = {"exchange": exchange, "anisotropy": anisotropy, "field": field}
         if bonds is not None:
@@ -247,7 +257,7 @@ class SpinLattice(ArraySystem):
             raise ValueError(f"periodic must be True or False, for all axes or for each, got {periodic!r}")
         given = {name: value for name, value in given.items() if value is not None}
         shaped = {"shape": np.atleast_1d(shape), "axis": axis, "periodic": rings.astype(float)}
-        super().__init__("spin-lattice", {**shaped, **given}, damping, noise)
+        super().__init__("spin-lattice", {**shaped, **given}, damping, noise, drive=drive, inputs=inputs)
 
 
 class VibratingLattice(ArraySystem):

@@ -38,7 +38,7 @@ class OpenNames:
     """The names of the coordinates of a system, with the time and the inputs behind them."""
 
     def __init__(self, names: Mapping[str, slice], parameters: Mapping[str, Any], inputs: Sequence[str]) -> None:
-        self.size = max(int(places.stop) for places in names.values())
+        self.size = max((int(places.stop) for places in names.values()), default=0)
         self.groups = names
         self.parameters = parameters
         more = enumerate([TIME, *inputs], self.size)
@@ -175,16 +175,21 @@ def native_arrays(
     damping: Union[None, float, Mapping[str, Any]],
     noise: Optional[Mapping[str, Any]],
     torque: Optional[Mapping[str, Any]],
+    drive: Optional[Mapping[str, Any]],
+    inputs: Optional[Inputs],
 ) -> Union[None, _native.Lattice, _native.Fluid]:
-    """Returns the friction, the noise and the force of a system of arrays as the native part takes them; None if there are none."""
-    if damping is None and noise is None and torque is None:
+    """Returns the forces on a system of arrays as the native part takes them; None if there are none."""
+    if all(given is None for given in (damping, noise, torque, drive, inputs)):
         return None
+    if (drive is not None or inputs is not None) and kind != "spin-lattice":
+        name = "inputs" if drive is None else "drive"
+        raise ValueError(f"{kind} has no {name}: of the systems of arrays spin-lattice has drive, with inputs")
     if kind == "sphere-fluid":
         return fluid_damping(damping), fluid_force(torque), None if noise is None else fluid_noise(noise)
     if torque is not None:
         raise ValueError(f"{kind} has no torque: of the systems of arrays sphere-fluid has one")
     friction = None if damping is None else lattice_damping(damping)
-    return friction, None if noise is None else lattice_noise(noise)
+    return friction, None if noise is None else lattice_noise(noise), lattice_field(drive, inputs)
 
 
 def lattice_damping(damping: Union[float, Mapping[str, Any]]) -> tuple[float, bool]:
@@ -197,6 +202,23 @@ def lattice_damping(damping: Union[float, Mapping[str, Any]]) -> tuple[float, bo
 def is_gilbert(damping: Mapping[str, Any]) -> bool:
     """Returns whether a damping of spins is Gilbert's."""
     return choice("form", damping.get("form", "landau-lifshitz"), ("landau-lifshitz", "gilbert")) == "gilbert"
+
+
+def lattice_field(drive: Optional[Mapping[str, Any]], inputs: Optional[Inputs]) -> Optional[_native.Field]:
+    """Returns the inputs and the formulas of a field of spins on a lattice that depends on the time."""
+    if drive is None and inputs is None:
+        return None
+    given = mapping("drive", {} if drive is None else drive, "{'field': [0, 0, 'cos(t)']}")
+    only("drive of a lattice", given, ("field",))
+    if "field" not in given:
+        raise ValueError("drive of a lattice has no field")
+    tables, field = native_inputs(inputs), given["field"]
+    names = OpenNames({}, {}, [name for name, *_ in tables])
+    names.size = 3
+    if callable(field) and not takes_time(field):
+        function = field
+        field = lambda x: function(x[TIME])  # noqa: E731
+    return tables, names.element("drive['field']", field)
 
 
 def lattice_noise(noise: Mapping[str, Any]) -> tuple[float, _native.Path]:
@@ -215,7 +237,7 @@ def fluid_damping(damping: Any) -> tuple[float, int, float]:
     only("damping of a fluid", given, ("viscosity", "power", "drag"))
     if not given or ("power" in given and "viscosity" not in given):
         raise ValueError("damping of a fluid has no viscosity")
-    viscosity, drag = (real(key, given.get(key, 0.0)) for key in ("viscosity", "drag"))
+    viscosity, drag = (not_negative(key, given.get(key, 0.0)) for key in ("viscosity", "drag"))
     return viscosity, min(count("power", given.get("power", 1), 0), MOST_POWER), drag
 
 
@@ -251,7 +273,7 @@ def shells(name: str, noise: Mapping[str, Any]) -> _native.Shells:
         if len(shell) != 2 or np.shape(shell["degrees"]) != (2,):
             raise ValueError(f"{name} must be a shell such as {SHELL}, got {shell!r}")
         least, most = (count(f"the degrees of {name}", degree, 0) for degree in shell["degrees"])
-        every.append(((least, most), real(f"the strength of {name}", shell["strength"])))
+        every.append(((least, most), not_negative(f"the strength of {name}", shell["strength"])))
     return every
 
 

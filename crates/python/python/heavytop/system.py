@@ -61,7 +61,9 @@ class System(SystemDescription):
         drive: a control u, an element of the algebra, so that dmu/dt = ad*_(dh + u) mu: a number for each coordinate, as a
             function of (x, t), as formulas, or as formulas by the names of coordinates. It keeps the Casimirs.
         damping: the friction theta of a double bracket, which lowers h and keeps the Casimirs; or a mapping with "friction" and
-            "inner_product", a number for a multiple of the unit matrix, a diagonal, or a matrix, which algebras with several vectors need.
+            "inner_product", a number for a multiple of the unit matrix, a diagonal, or a matrix, which algebras with several vectors need. On
+            so(3) and sums of it, spins, also a mapping with "friction" and "form": "gilbert", with the friction alpha in ds/dt = s x Omega +
+            (alpha/|s|) s x ds/dt for the minus bracket, or "landau-lifshitz", one theta for all spins.
         noise: noise that keeps the Casimirs, in the sense of Stratonovich: a mapping with "temperature", the energy kT, which goes with damping;
             or "strength" and, as for damping, "inner_product"; or "fields", a list of elements as `drive`, each with a Brownian motion of its own.
             Besides "seed" (1), "path" (0), "rule", "together" (weak order 1) or "alternating" (weak order 2), "interval", the length of the

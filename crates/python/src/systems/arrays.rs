@@ -8,7 +8,6 @@ use crate::recorded::Recorded;
 use crate::runs::accuracy::{Accuracy, Check};
 use crate::runs::event::{CallbackArgument, Event};
 use crate::runs::following::{Following, MethodArgument, Setting, present};
-use collective_integrators::diagnostics::SystemScales;
 use core::f64::consts::PI;
 use heavytop::methods::{Method, MethodError};
 use lie_poisson_formula_systems::FormulaSystemError;
@@ -48,7 +47,7 @@ impl Arrays {
             return Err(PyValueError::new_err(text));
         };
         let system = found.system(&given(&arguments)).map_err(refused)?;
-        let terms = open.as_ref().map(ArrayTermsArgument::terms);
+        let terms = open.as_ref().map(ArrayTermsArgument::terms).transpose()?;
         let made = Self { system, terms, source: (kind, arguments, open) };
         // What does not fit is refused here, whatever the step will be.
         made.unit_model()?;
@@ -86,7 +85,7 @@ impl Arrays {
         let mut source = self.source.clone();
         let number = source.2.as_mut().and_then(ArrayTermsArgument::path_mut);
         *number.ok_or_else(|| PyValueError::new_err(WITHOUT_PATH))? = path;
-        let terms = source.2.as_ref().map(ArrayTermsArgument::terms);
+        let terms = source.2.as_ref().map(ArrayTermsArgument::terms).transpose()?;
         let other = Self { system: self.system.clone(), terms, source };
         other.unit_model()?;
         Ok(other)
@@ -123,20 +122,21 @@ impl Arrays {
         Ok(PyArray1::from_vec(py, state))
     }
 
-    /// Returns what is conserved of each of n states, as n rows, which does not depend on the time.
-    #[pyo3(signature = (states, _times=None))]
+    /// Returns what is conserved of each of n states at n times, or at the time 0, as n rows.
+    #[pyo3(signature = (states, times=None))]
     fn invariant_values<'py>(
         &self,
         py: Python<'py>,
         states: PyReadonlyArray2<'py, f64>,
-        _times: Option<Vec<f64>>,
+        times: Option<Vec<f64>>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let model = self.unit_model()?;
         let conserved = model.conserved(&[]);
+        let mut times = times.into_iter().flatten();
         self.each(py, &states, |given| {
-            let state = Model::start(&self.system, given)?;
-            let values = conserved.values(0.0, &state);
-            values.map_err(|reason| RunFailure::NoValue { time: 0.0, reason })
+            let (state, time) = (Model::start(&self.system, given)?, times.next().unwrap_or(0.0));
+            let values = conserved.values(time, &state);
+            values.map_err(|reason| RunFailure::NoValue { time, reason })
         })
     }
 
@@ -154,25 +154,26 @@ impl Arrays {
         })
     }
 
-    /// Returns the rate of each of n states, as n rows, which does not depend on the time; with noise the drift.
-    #[pyo3(signature = (states, _time=0.0))]
+    /// Returns the rate of each of n states at a time, as n rows; with noise the drift.
+    #[pyo3(signature = (states, time=0.0))]
     fn rates<'py>(
         &self,
         py: Python<'py>,
         states: PyReadonlyArray2<'py, f64>,
-        _time: f64,
+        time: f64,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let model = self.unit_model()?;
         self.each(py, &states, |given| match &model {
-            ModelOfRun::OpenArrays(open) => open.rate(given),
+            ModelOfRun::OpenArrays(open) => open.rate(given, time),
             _ => self.system.rate(given),
         })
     }
 
     /// Returns the fastest rate of the motion through each of n states, as rows.
     fn fastest_rates(&self, states: PyReadonlyArray2<'_, f64>) -> PyResult<Vec<f64>> {
+        let model = self.unit_model()?;
         let rate = |given: Vec<f64>| {
-            Ok(self.system.fastest_rate(&Model::start(&self.system, &given).map_err(refused)?))
+            Ok(model.fastest_rate(&Model::start(&self.system, &given).map_err(refused)?))
         };
         states.as_array().outer_iter().map(|row| rate(row.to_vec())).collect()
     }
@@ -187,6 +188,7 @@ impl Arrays {
         events: Vec<CallbackArgument>,
     ) -> PyResult<Recorded> {
         let model = self.model(setting.1)?;
+        model.require_until(end)?;
         let run = self.following(&model, &setting)?;
         let events = events.iter().map(|event| Event::of_callback(event, &self.system));
         let events = events.collect::<PyResult<Vec<_>>>()?;
@@ -218,6 +220,7 @@ impl Arrays {
         times: Vec<f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let model = self.model(setting.1)?;
+        model.require_until(times.last().copied().unwrap_or(0.0))?;
         self.following(&model, &setting)?.states_at(py, &times)
     }
 }
@@ -267,7 +270,7 @@ impl Arrays {
         &self,
         py: Python<'py>,
         states: &PyReadonlyArray2<'py, f64>,
-        function: impl Fn(&[f64]) -> Result<Vec<f64>, RunFailure>,
+        mut function: impl FnMut(&[f64]) -> Result<Vec<f64>, RunFailure>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let (mut values, count) = (Vec::new(), states.as_array().nrows());
         for state in states.as_array().outer_iter() {

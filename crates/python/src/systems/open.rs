@@ -11,8 +11,8 @@ use lie_poisson_formula_systems::{
 };
 use lie_poisson_formulas::{Formula, Parameters};
 use lie_poisson_runs::{
-    ArraySystem, ArrayTerms, FluidNoise, FluidTerms, HarmonicShell, LatticeNoise, LatticeTerms,
-    Model, NoisePaths, OpenArrays, SpinDamping,
+    ArraySystem, ArrayTerms, FluidNoise, FluidTerms, HarmonicShell, LatticeField, LatticeNoise,
+    LatticeTerms, Model, NoisePaths, OpenArrays, SpinDamping,
 };
 use pyo3::{FromPyObject, IntoPyObject, PyErr, PyResult};
 
@@ -160,8 +160,13 @@ type ShellArgument = ((usize, usize), f64);
 /// What damps, forces and shakes a system of arrays.
 #[derive(Clone, FromPyObject, IntoPyObject)]
 pub(crate) enum ArrayTermsArgument {
-    /// The friction of spins, and whether it is Gilbert's damping; the energy kT, and the paths.
-    Lattice(Option<(f64, bool)>, Option<(f64, PathArgument)>),
+    /// The friction of spins, and whether it is Gilbert's damping; the energy kT, and the paths; and the inputs and the formulas
+    /// of a field that depends on the time.
+    Lattice(
+        Option<(f64, bool)>,
+        Option<(f64, PathArgument)>,
+        Option<(Vec<InputArgument>, Vec<FormulaSource>)>,
+    ),
     /// The viscosity, its power, and the drag of a fluid; rows l, m, re, im of the force; and shells of transport noise
     /// and of stirring, and the paths.
     Fluid(
@@ -173,16 +178,20 @@ pub(crate) enum ArrayTermsArgument {
 
 impl ArrayTermsArgument {
     /// Returns the terms.
-    pub(crate) fn terms(&self) -> ArrayTerms {
-        match self {
-            Self::Lattice(damping, noise) => {
+    ///
+    /// # Errors
+    /// Returns `ValueError` for an input or a formula that is none.
+    pub(crate) fn terms(&self) -> PyResult<ArrayTerms> {
+        Ok(match self {
+            Self::Lattice(damping, noise, field) => {
                 let damping = damping.map(|(friction, is_gilbert)| match is_gilbert {
                     true => SpinDamping::Gilbert(friction),
                     false => SpinDamping::LandauLifshitz(friction),
                 });
                 let noise = noise
                     .map(|(temperature, path)| LatticeNoise { temperature, paths: paths(path) });
-                LatticeTerms { damping, noise }.into()
+                let field = field.as_ref().map(lattice_field).transpose()?;
+                LatticeTerms { field, damping, noise }.into()
             }
             Self::Fluid((viscosity, power, drag), force, noise) => {
                 let noise = noise.as_ref().map(|(transport, stirring, path)| FluidNoise {
@@ -193,16 +202,26 @@ impl ArrayTermsArgument {
                 let (viscosity, power, drag) = (*viscosity, *power, *drag);
                 FluidTerms { viscosity, power, drag, force: force.clone(), noise }.into()
             }
-        }
+        })
     }
 
     /// Returns the number of the path of the noise, if there is one.
     pub(crate) fn path_mut(&mut self) -> Option<&mut u64> {
         Some(match self {
-            Self::Lattice(_, noise) => &mut noise.as_mut()?.1.1,
+            Self::Lattice(_, noise, _) => &mut noise.as_mut()?.1.1,
             Self::Fluid(.., noise) => &mut noise.as_mut()?.2.1,
         })
     }
+}
+
+/// Returns the field of a lattice by formulas in the time and in inputs.
+fn lattice_field(
+    (tables, sources): &(Vec<InputArgument>, Vec<FormulaSource>),
+) -> PyResult<LatticeField> {
+    let inputs = inputs(tables)?;
+    let vocabulary = inputs.vocabulary_of_time().map_err(refused)?;
+    let formulas = sources.iter().map(|source| source.formula(&vocabulary));
+    LatticeField::of_formulas(inputs, formulas.collect::<PyResult<_>>()?).map_err(refused)
 }
 
 const fn paths((seed, path, interval, bound): PathArgument) -> NoisePaths {
@@ -246,8 +265,11 @@ impl<'a> ModelOfRun<'a> {
     /// Returns `ValueError`, which names the input.
     pub(crate) fn require_until(&self, end: f64) -> PyResult<()> {
         match self {
-            Self::Closed(_) | Self::Arrays(_) | Self::OpenArrays(_) => Ok(()),
+            Self::Closed(_) | Self::Arrays(_) => Ok(()),
             Self::Open(open) => open.terms().inputs.require_until(end).map_err(refused),
+            Self::OpenArrays(arrays) => {
+                arrays.inputs().map_or(Ok(()), |inputs| inputs.require_until(end)).map_err(refused)
+            }
         }
     }
 }

@@ -1,18 +1,20 @@
 //! Spins in any number at a temperature: [`LangevinSpins`].
 
 use crate::error::{SystemError, require_finite};
+use crate::spins_at_temperature::field_in_time::FieldInTime;
 use crate::spins_at_temperature::site_rotation::{SiteConstants, SpinDamping, turned_middle};
 use collective_integrators::{
-    BrownianPaths, Integrator, PathAndTime, StageSolver, Start, Step, StepError,
+    BrownianPaths, Integrator, PathAndTime, StageSolver, Start, Step, StepError, StepParts,
 };
 use lie_poisson::{Covector, Pair, Sites, SitesHamiltonian, State, Time, Vector, larger};
 use momentum_map::LiftError;
 use nalgebra::Vector3;
 
-/// Classical spins at a temperature, whose number is known only when the program runs: the stochastic midpoint rule for
+/// Classical spins at a temperature, and in a field B(t), whose number is known only when the program runs: the stochastic
+/// midpoint rule for
 ///
 /// ```text
-/// ds_i = s_i × (a_i H_i + b_i H_i × s_i) dt + √(2 b_i kT) s_i × ∘dW_i,    H_i = −∂h/∂s_i
+/// ds_i = s_i × (a_i H_i + b_i H_i × s_i) dt + √(2 b_i kT) s_i × ∘dW_i,    H_i = −∂h/∂s_i + B(t)
 /// ```
 ///
 /// in Stratonovich's sense, with three independent Brownian motions W_i for each spin. With the [`SpinDamping`] of Landau and
@@ -24,7 +26,8 @@ use nalgebra::Vector3;
 /// round-off, and a spin of length 0 stays where it is: it is a site without a spin. Sweeps alternate between the fields at
 /// the midpoints and the midpoints of these rotations, which are known in closed form. So they converge for steps that are
 /// short for h and the friction, however strong the noise is. The strong order is ½ and the weak order 1
-/// (the energy of a bond of a chain at kT = 2J is too low by 0.0055 J with 2bkTh = 0.2).
+/// (the energy of a bond of a chain at kT = 2J is too low by 0.0055 J with 2bkTh = 0.2); without noise the order is 2. The
+/// field B(t) of [`with_field`](Self::with_field) is taken at the middle of a step, which is divided where B jumps.
 ///
 /// A momentum is (s, (number of the path, time)), as that of [`Noisy`](collective_integrators::Noisy): the number and the
 /// time determine the noise. After the first step nothing is allocated. The bracket is the plus bracket, as that of
@@ -52,8 +55,9 @@ use nalgebra::Vector3;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct LangevinSpins<H> {
+pub struct LangevinSpins<H, F = ()> {
     hamiltonian: H,
+    field: F,
     damping: SpinDamping,
     temperature: f64,
     paths: BrownianPaths,
@@ -79,7 +83,16 @@ impl<H: SitesHamiltonian<Vector3<f64>>> LangevinSpins<H> {
                 return Err(SystemError::Negative { name, value: number });
             }
         }
-        Ok(Self { hamiltonian, damping, temperature, paths, solver: StageSolver::default() })
+        let solver = StageSolver::default();
+        Ok(Self { hamiltonian, field: (), damping, temperature, paths, solver })
+    }
+}
+
+impl<H: SitesHamiltonian<Vector3<f64>>, F: FieldInTime> LangevinSpins<H, F> {
+    /// Returns the dynamics in another field B(t), which has the unit of h over that of a spin.
+    pub fn with_field<G: FieldInTime>(self, field: G) -> LangevinSpins<H, G> {
+        let Self { hamiltonian, damping, temperature, paths, solver, .. } = self;
+        LangevinSpins { hamiltonian, field, damping, temperature, paths, solver }
     }
 
     /// Returns the dynamics with another solver for its implicit equation, whose unknowns are the ω. Newton's iteration is
@@ -89,9 +102,14 @@ impl<H: SitesHamiltonian<Vector3<f64>>> LangevinSpins<H> {
         Self { solver, ..self }
     }
 
-    /// Returns the Hamiltonian.
+    /// Returns the Hamiltonian without the field B(t).
     pub const fn hamiltonian(&self) -> &H {
         &self.hamiltonian
+    }
+
+    /// Returns the field B(t).
+    pub const fn field(&self) -> &F {
+        &self.field
     }
 
     /// Returns the Brownian motions.
@@ -99,9 +117,10 @@ impl<H: SitesHamiltonian<Vector3<f64>>> LangevinSpins<H> {
         &self.paths
     }
 
-    /// Prepares a step: the noise, and the constants of the sites.
+    /// Prepares a part of a step: the field in its middle, the noise, and the constants of the sites.
     fn prepare(&self, state: &SpinsOnPath, step: f64, space: &mut LangevinWorkspace) {
         let Pair(Covector(spins), Pair(path, clock)) = state;
+        space.uniform = self.field.at(clock.0 * self.paths.interval() + 0.5 * step);
         let count = spins.len();
         if space.fields.len() != count {
             space.fields = Sites::new(vec![Vector3::zeros(); count]);
@@ -130,18 +149,45 @@ impl<H: SitesHamiltonian<Vector3<f64>>> LangevinSpins<H> {
         step: f64,
         space: &mut LangevinWorkspace,
     ) -> [f64; 2] {
-        let LangevinWorkspace { fields, middles, sites, .. } = space;
+        let LangevinWorkspace { fields, middles, sites, uniform, .. } = space;
         self.hamiltonian.differential_into(middles, fields);
         let mut progress = [0.0; 2];
         let all = sites.iter_mut().zip(spins.iter()).zip(fields.iter().zip(middles.0.iter_mut()));
         for ((site, spin), (dh, middle)) in all {
-            let omega = site.rate(dh, middle);
+            let omega = site.rate(&(dh - *uniform), middle);
             progress[0] = larger(progress[0], (omega - site.omega).amax());
             progress[1] = larger(progress[1], omega.amax());
             site.omega = omega;
             *middle = turned_middle(spin, &(omega * (0.5 * step)));
         }
         progress
+    }
+
+    /// Makes a part of a step, in which the field is smooth.
+    ///
+    /// # Errors
+    /// If its equation is not solved, or a number is not finite; the state is then not changed.
+    fn make_part(
+        &self,
+        state: &mut SpinsOnPath,
+        step: f64,
+        space: &mut LangevinWorkspace,
+    ) -> Result<usize, StepError> {
+        self.prepare(state, step, space);
+        if !space.uniform.is_finite() {
+            return Err(StepError::NotFinite);
+        }
+        let spins = &state.0.0;
+        let iterations = self.solver.solve_by_sweeps(|| self.sweep(spins, step, space))?;
+        if !space.middles.is_finite() {
+            return Err(StepError::NotFinite);
+        }
+        let Pair(Covector(spins), Pair(_, clock)) = state;
+        for (spin, middle) in spins.iter_mut().zip(space.middles.0.iter()) {
+            *spin = middle * 2.0 - *spin;
+        }
+        clock.0 += step / self.paths.interval();
+        Ok(iterations)
     }
 }
 
@@ -155,9 +201,11 @@ pub struct LangevinWorkspace {
     fields: Sites<Vector3<f64>>,
     sites: Vec<SiteConstants>,
     increments: Vec<f64>,
+    /// The field B in the middle of a part of a step.
+    uniform: Vector3<f64>,
 }
 
-impl<H: SitesHamiltonian<Vector3<f64>>> Integrator for LangevinSpins<H> {
+impl<H: SitesHamiltonian<Vector3<f64>>, F: FieldInTime> Integrator for LangevinSpins<H, F> {
     /// The spins, with the number of the path and the time in intervals of the Brownian motions.
     type State = SpinsOnPath;
     type Momentum = SpinsOnPath;
@@ -166,7 +214,8 @@ impl<H: SitesHamiltonian<Vector3<f64>>> Integrator for LangevinSpins<H> {
     fn workspace(&self) -> LangevinWorkspace {
         let none = || Sites::new(Vec::new());
         let (sites, increments) = (Vec::new(), Vec::new());
-        LangevinWorkspace { middles: Covector(none()), fields: none(), sites, increments }
+        let (middles, uniform) = (Covector(none()), Vector3::zeros());
+        LangevinWorkspace { middles, fields: none(), sites, increments, uniform }
     }
 
     /// # Errors
@@ -185,7 +234,8 @@ impl<H: SitesHamiltonian<Vector3<f64>>> Integrator for LangevinSpins<H> {
     /// # Errors
     /// Returns [`StepError::NotConverged`] if the implicit equation is not solved, as with a step that is too long, or a
     /// state with another number of spins than the Hamiltonian has; those of [`StepError::check_start`] for the step, the path
-    /// and the time; and [`StepError::NotFinite`]. In these cases the state is not changed.
+    /// and the time; and [`StepError::NotFinite`], also where the field B(t) has no value. In these cases the state is not
+    /// changed.
     fn step_in_place(
         &self,
         state: &mut SpinsOnPath,
@@ -193,18 +243,31 @@ impl<H: SitesHamiltonian<Vector3<f64>>> Integrator for LangevinSpins<H> {
         space: &mut LangevinWorkspace,
     ) -> Result<usize, StepError> {
         StepError::check_start(&state.1, step)?;
-        self.prepare(state, step, space);
-        let spins = &state.0.0;
-        let iterations = self.solver.solve_by_sweeps(|| self.sweep(spins, step, space))?;
-        if !space.middles.is_finite() {
-            return Err(StepError::NotFinite);
+        let (interval, clock) = (self.paths.interval(), state.1.1.0);
+        let next_break = |time: f64, forward: bool| self.field.next_break(time, forward);
+        let mut before = None;
+        let made = StepParts { interval, noise: None }.make(
+            (state.1.0.0, clock),
+            step,
+            next_break,
+            |_, part| {
+                if part.step != step && before.is_none() {
+                    before = Some(state.clone());
+                }
+                self.make_part(state, part.step, space)
+            },
+        );
+        match (made, before) {
+            (Err(error), before) => {
+                before.into_iter().for_each(|before| *state = before);
+                Err(error)
+            }
+            (Ok(iterations), _) => {
+                // Parts add up to the step but for rounding, which would make the time drift.
+                state.1.1.0 = clock + step / interval;
+                Ok(iterations)
+            }
         }
-        let Pair(Covector(spins), Pair(_, clock)) = state;
-        for (spin, middle) in spins.iter_mut().zip(space.middles.0.iter()) {
-            *spin = middle * 2.0 - *spin;
-        }
-        clock.0 += step / self.paths.interval();
-        Ok(iterations)
     }
 
     /// Nothing is remembered from step to step.
@@ -215,7 +278,7 @@ impl<H: SitesHamiltonian<Vector3<f64>>> Integrator for LangevinSpins<H> {
     }
 }
 
-impl<H: SitesHamiltonian<Vector3<f64>>> Start for LangevinSpins<H> {
+impl<H: SitesHamiltonian<Vector3<f64>>, F: FieldInTime> Start for LangevinSpins<H, F> {
     /// Returns the spins, the number of the path, and the time in intervals.
     fn start(&self, Pair(spins, Pair(path, time)): &SpinsOnPath) -> Result<SpinsOnPath, LiftError> {
         let clock = Time(time.0 / self.paths.interval());

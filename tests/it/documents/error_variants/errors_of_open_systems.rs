@@ -55,6 +55,8 @@ pub fn errors() -> Vec<String> {
         refused(open(noisy(1.0, Some(0.5)))),
         refused(open(noisy(-1.0, None))),
         refused(NoiseFields::thermal(None, 1.0)),
+        refused(NoiseFields::thermal(Some(&Damping::Gilbert(0.0)), 1.0)),
+        refused(top.require_spins()),
         refused(open(damped(-1.0, InnerProduct::euclidean())).map_err(FormulaSystemError::from)),
     ]
 }

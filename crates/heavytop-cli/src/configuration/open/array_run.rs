@@ -1,4 +1,4 @@
-//! The run of a system of arrays with friction, forces or noise.
+//! The run of a system of arrays with friction, forces, noise or a field in time.
 
 use super::damping_config::{DampingConfig, DampingForm};
 use super::element::Formulas;
@@ -9,8 +9,8 @@ use crate::runs::{Experiment, Pace, Schedule};
 use heavytop::methods::Formulation;
 use lie_poisson_runs::step_angle::require_run;
 use lie_poisson_runs::{
-    ArrayKind, ArrayTerms, FluidNoise, FluidTerms, LatticeNoise, LatticeTerms, NoisePaths,
-    OpenArrays, SpinDamping, directed_step,
+    ArrayKind, ArrayTerms, FluidNoise, FluidTerms, LatticeField, LatticeNoise, LatticeTerms,
+    NoisePaths, OpenArrays, SpinDamping, directed_step,
 };
 
 /// The tables of forces of a kind of arrays.
@@ -24,9 +24,10 @@ struct Forces {
 
 const LATTICE: Forces = Forces {
     kind: LatticeTerms::KIND,
-    tables: &["damping", "noise"],
-    keys: &["damping.friction", "damping.form", "noise.temperature"],
-    has: "a spin-lattice has friction and form in [damping], and temperature, seed, path, interval and bound in [noise]",
+    tables: &["inputs", "drive", "damping", "noise"],
+    keys: &["drive.field", "damping.friction", "damping.form", "noise.temperature"],
+    has: "a spin-lattice has friction and form in [damping], field in [drive], with [inputs], and temperature, seed, path, \
+          interval and bound in [noise]",
 };
 
 const FLUID: Forces = Forces {
@@ -67,6 +68,9 @@ impl Config {
         let integrator = self.integrator;
         let Integration { step, end, tolerance, .. } = integrator.or(Integration::default());
         let step = directed_step(step, end)?;
+        if let Some(inputs) = terms.inputs() {
+            self.require_inputs(inputs, end)?;
+        }
         let model = OpenArrays::new(arrays, terms, step)?;
         let method = model.method(integrator.formulation, integrator.scheme, tolerance)?;
         require_run(&model, &method, (&start, step))?;
@@ -75,11 +79,11 @@ impl Config {
     }
 
     /// Returns what the tables of forces say of a system of arrays, if there is one of them.
-    fn array_terms(&self, kind: &ArrayKind) -> Result<Option<ArrayTerms>, SystemTableError> {
+    fn array_terms(&self, kind: &ArrayKind) -> Result<Option<ArrayTerms>, Error> {
         let of_kind = [LATTICE, FLUID].into_iter().find(|of| of.kind == kind.name);
         let known = of_kind.as_ref().map_or(&[][..], |of| of.tables);
         if let Some(table) = self.open_tables().find(|table| !known.contains(table)) {
-            return Err(SystemTableError::OpenTable { table });
+            return Err(SystemTableError::OpenTable { table }.into());
         }
         let (Some(_), Some(Forces { keys, has, .. })) = (self.open_table(), of_kind) else {
             return Ok(None);
@@ -92,7 +96,25 @@ impl Config {
         }
         let damping = damping.map(DampingConfig::of_spins).transpose()?;
         let noise = noise.map(NoiseConfig::of_spins).transpose()?;
-        Ok(Some(LatticeTerms { damping, noise }.into()))
+        Ok(Some(LatticeTerms { field: self.lattice_field()?, damping, noise }.into()))
+    }
+
+    /// Returns the uniform field B(t) of a lattice of spins, if there is one.
+    fn lattice_field(&self) -> Result<Option<LatticeField>, Error> {
+        let (key, table) = ("field", "drive".to_owned());
+        let Some(drive) = &self.drive else {
+            // Inputs alone would do nothing.
+            return match self.inputs {
+                Some(_) => Err(SystemTableError::MissingKey { table, key }.into()),
+                None => Ok(None),
+            };
+        };
+        if let Some(other) = drive.keys().find(|other| *other != key) {
+            let key = format!("drive.{other}");
+            return Err(SystemTableError::OtherKey { key, has: LATTICE.has }.into());
+        }
+        let field = drive.get(key).ok_or(SystemTableError::MissingKey { table, key })?;
+        Ok(Some(LatticeField::new(self.named_inputs()?, &field.texts())?))
     }
 
     /// Returns the viscosity, the drag, the force and the noise of a fluid.

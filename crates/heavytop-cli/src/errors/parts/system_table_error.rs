@@ -80,9 +80,9 @@ pub enum SystemTableError {
     },
     /// A command that follows closed systems alone got a table of open ones.
     #[error(
-        "[{table}] is for tops and systems by formula in simulate, events, section, sweep and ensemble; a spin-lattice has [damping] and \
-         [noise], and a sphere-fluid these and [torque], in simulate and ensemble; other commands, and other systems of \
-         arrays, have no forces"
+        "[{table}] is for tops and systems by formula in simulate, events, section, sweep and ensemble; a spin-lattice has [inputs], \
+         [drive], [damping] and [noise], and a sphere-fluid [damping], [noise] and [torque], in simulate and ensemble; other commands, \
+         and other systems of arrays, have no forces"
     )]
     OpenTable {
         /// The name of the table.

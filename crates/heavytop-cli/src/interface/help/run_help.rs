@@ -205,8 +205,10 @@ the time:
   friction = 0.1
   inner_product = 1                  # a multiple of the unit matrix, a diagonal, or rows; needed
                                      # where there are several vectors, as of a top
+  # form = \"gilbert\" of spins, so(3) or sums of it, instead of inner_product: friction is alpha;
+  # or \"landau-lifshitz\", one theta for all spins; as of a spin-lattice, below
   [noise]                            # it keeps the Casimirs, in Stratonovich's sense
-  temperature = 0.5                  # kT, with [damping]; or strength, with or without
+  temperature = 0.5                  # kT, with a friction above 0; or strength, with or without
                                      # inner_product; or fields = [{ Pi = [0, 0, 1] }, ...]
   seed = 1                           # of the random numbers
   path = 0                           # another number is another path
@@ -217,12 +219,15 @@ the time:
   Pi = [0, 0, \"-0.1*Pi3\"]          # the formulation is direct. Of a body for Pi alone, in N m;
                                      # I1, I2, I3 are its moments
 Beside a spin-lattice, for simulate and ensemble, where the method is direct, implicit-midpoint:
+  [drive]                            # it keeps every |s|; h has the field of its time
+  field = [\"u*cos(2*t)\", 0, 0]     # B(t), besides field of parameters; with [inputs] as above
   [damping]                          # it lowers h and keeps every |s|
   friction = 0.1                     # theta, or Gilbert's alpha
   form = \"landau-lifshitz\"         # ds/dt = s x H - theta s x (s x H); or gilbert, with
                                      # - (alpha/|s|) s x ds/dt instead
   [noise]                            # temperature, seed, path, bound, interval, as above
-  temperature = 0.5                  # kT, with [damping]; the columns h, M1, M2, M3 and C
+  temperature = 0.5                  # kT, with a friction above 0
+The columns are h, M1, M2, M3 and C = sum of |s|^2, which alone is kept.
 
 Beside a sphere-fluid, for simulate and ensemble, where the method is reduced, implicit-midpoint:
   [damping]                          # degree l decays at the rate drag + viscosity (l(l + 1))^power

@@ -1,6 +1,8 @@
 //! What damps, forces and shakes a system of arrays: [`ArrayTerms`].
 
+use super::lattice_field::LatticeField;
 use super::noise_paths::NoisePaths;
+use lie_poisson_formula_systems::NamedInputs;
 use lie_poisson_systems::SpinDamping;
 
 /// The friction, the force and the noise of a system of arrays.
@@ -12,9 +14,11 @@ pub enum ArrayTerms {
     Fluid(FluidTerms),
 }
 
-/// The friction of spins on a lattice, and the noise that goes with it at a temperature.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// The friction of spins on a lattice, the noise that goes with it at a temperature, and a field that depends on the time.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct LatticeTerms {
+    /// The uniform field B(t), which is damped, too.
+    pub field: Option<LatticeField>,
     /// The damping of Landau and Lifshitz, or of Gilbert.
     pub damping: Option<SpinDamping>,
     /// The noise of a temperature, which needs a damping.
@@ -106,9 +110,19 @@ impl ArrayTerms {
         }
     }
 
+    /// Returns the inputs by tables, if there is a field that depends on the time.
+    #[must_use]
+    pub fn inputs(&self) -> Option<&NamedInputs> {
+        match self {
+            Self::Lattice(terms) => terms.field.as_ref().map(LatticeField::inputs),
+            Self::Fluid(_) => None,
+        }
+    }
+
     /// Returns the name of one of the terms.
     pub(super) fn name(&self) -> &'static str {
         match self {
+            Self::Lattice(LatticeTerms { field: Some(_), .. }) => "drive",
             Self::Lattice(LatticeTerms { damping: None, .. }) => "noise",
             Self::Fluid(terms) if !terms.force.is_empty() => "torque",
             _ => "damping",

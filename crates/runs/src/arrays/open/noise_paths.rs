@@ -50,7 +50,8 @@ impl NoisePaths {
     ) -> Result<BrownianPaths, OpenSystemError> {
         match paths {
             Some(paths) => paths.brownian(step),
-            None => Ok(BrownianPaths::new(0, 1.0)?),
+            // States count the time in steps.
+            None => Ok(BrownianPaths::new(0, step.abs())?),
         }
     }
 }

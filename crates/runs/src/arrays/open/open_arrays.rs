@@ -1,6 +1,6 @@
-//! A system of arrays with friction, forces or noise, as a model: [`OpenArrays`].
+//! A system of arrays with friction, forces, noise or a field in time, as a model: [`OpenArrays`].
 
-use super::array_terms::ArrayTerms;
+use super::array_terms::{ArrayTerms, LatticeTerms};
 use super::opened::Opened;
 use crate::arrays::array_system::{ArraySystem, without_value};
 use crate::error::RunFailure;
@@ -10,14 +10,16 @@ use collective_integrators::diagnostics::SystemScales;
 use collective_integrators::{AnyIntegrator, AnyTangents};
 use core::ops::Range;
 use heavytop::methods::{Formulation, Method, SchemeName};
-use lie_poisson_formula_systems::FormulaSystemError;
+use lie_poisson_formula_systems::{FormulaSystemError, NamedInputs};
 use std::sync::Arc;
 
-/// A system of an [`ArrayKind`](crate::ArrayKind) with friction, forces or noise, by a stochastic midpoint rule.
+/// A system of an [`ArrayKind`](crate::ArrayKind) with friction, forces, noise or a field in time, by a stochastic midpoint
+/// rule.
 ///
-/// A lattice of classical spins has friction, and the noise of a temperature, by [`LangevinSpins`]. The lengths of all
-/// spins are kept to round-off; h and the total spin are not. After a while the spins have Boltzmann's weight
-/// exp(−h/kT), whatever the friction is.
+/// A lattice of classical spins has friction, the noise of a temperature, and a uniform field B(t), by [`LangevinSpins`]. The
+/// lengths of all spins are kept to round-off; h and the total spin are not. After a while the spins have Boltzmann's weight
+/// exp(−h/kT), whatever the friction is, unless the field depends on the time. The value of h has the field of its time:
+/// dh/dt = −Ḃ·Σ s_i without friction and noise.
 ///
 /// A fluid on the sphere has viscosity, drag, a force, transport noise and stirring, by [`StochasticFluid`]. Transport
 /// noise alone keeps the enstrophy, as all Casimirs, to round-off; the other terms change it.
@@ -36,7 +38,7 @@ use std::sync::Arc;
 /// let ring = kind.system(&Arguments::new().list("shape", vec![400.0]).number("exchange", 1.0))?;
 /// let start = ring.start_of(&Arguments::new().list("direction", vec![0.0, 0.0, 1.0]))?;
 /// let noise = Some(LatticeNoise { temperature: 1.0, paths: NoisePaths::default() });
-/// let terms = LatticeTerms { damping: Some(SpinDamping::LandauLifshitz(1.0)), noise };
+/// let terms = LatticeTerms { damping: Some(SpinDamping::LandauLifshitz(1.0)), noise, field: None };
 /// let model = OpenArrays::new(ring, terms, 0.05)?;
 /// let (method, pace) = (model.method(None, None, 0.0)?, Pace { schedule: Schedule::new(0.05, 10.0)?, every: 200 });
 /// let run = Experiment { model, start, method, pace, attitude: false };
@@ -73,7 +75,9 @@ impl OpenArrays {
         let terms = terms.into();
         let Some(opened) = system.opened(&terms, step) else {
             let needed = match &terms {
-                ArrayTerms::Lattice(_) => "spin-lattice has friction and a temperature",
+                ArrayTerms::Lattice(_) => {
+                    "spin-lattice has friction, a temperature and a field in time"
+                }
                 ArrayTerms::Fluid(_) => "sphere-fluid has viscosity, a force and stirring",
             };
             let (kind, name) = (system.name(), terms.name());
@@ -120,13 +124,19 @@ impl OpenArrays {
         Err(FormulaSystemError::NoMethod { algebra, formulation, scheme, has })
     }
 
-    /// Returns the rate dμ/dt of a state without noise, both in the arrays of the users; with noise it is the drift in
-    /// Stratonovich's sense.
+    /// Returns the inputs by tables, which must reach to the end of a run, if there is a field that depends on the time.
+    #[must_use]
+    pub fn inputs(&self) -> Option<&NamedInputs> {
+        self.terms.inputs()
+    }
+
+    /// Returns the rate dμ/dt of a state at a time without noise, both in the arrays of the users; with noise it is the drift
+    /// in Stratonovich's sense.
     ///
     /// # Errors
     /// If the state has another number of coordinates.
-    pub fn rate(&self, given: &[f64]) -> Result<Vec<f64>, RunFailure> {
-        let mut rate = self.opened.rate(&Model::start(self, given)?);
+    pub fn rate(&self, given: &[f64], time: f64) -> Result<Vec<f64>, RunFailure> {
+        let mut rate = self.opened.rate(time, &Model::start(self, given)?);
         self.system.present(&mut rate);
         Ok(rate)
     }
@@ -146,8 +156,9 @@ impl SystemScales for OpenArrays {
         self.system.differential(mu)
     }
 
+    /// At most: the rate without a field in time, and the largest such field at the time 0 and at those of the tables.
     fn fastest_rate(&self, mu: &[f64]) -> f64 {
-        self.system.fastest_rate(mu)
+        self.system.fastest_rate(mu) + self.opened.rate_of_drive()
     }
 }
 
@@ -223,7 +234,13 @@ impl Model for OpenArrays {
     }
 
     fn formula(&self, conserved: &str) -> Option<String> {
-        self.system.formula(conserved)
+        let without = self.system.formula(conserved)?;
+        Some(match &self.terms {
+            ArrayTerms::Lattice(LatticeTerms { field: Some(field), .. }) => {
+                format!("{without} - {field}·sum(S[i])")
+            }
+            _ => without,
+        })
     }
 }
 
@@ -239,9 +256,9 @@ impl Conserved for Quantities<'_> {
         self.0.opened.keeps(name)
     }
 
-    fn append(&self, _time: f64, momentum: &[f64], values: &mut Vec<f64>) {
+    fn append(&self, time: f64, momentum: &[f64], values: &mut Vec<f64>) {
         match self.0.require_dimension(momentum) {
-            Ok(()) => self.0.opened.append(momentum, values),
+            Ok(()) => self.0.opened.append(time, momentum, values),
             Err(_) => values.extend(self.names().iter().map(|_| f64::NAN)),
         }
     }

@@ -119,7 +119,7 @@ impl Opened for OpenedFluid {
         self.fluid.invariant_names()
     }
 
-    fn append(&self, state: &[f64], values: &mut Vec<f64>) {
+    fn append(&self, _time: f64, state: &[f64], values: &mut Vec<f64>) {
         self.fluid.invariants(state, values);
     }
 
@@ -129,7 +129,7 @@ impl Opened for OpenedFluid {
         self.is_carried && (is_of_fluid || quantity == "Z")
     }
 
-    fn rate(&self, state: &[f64]) -> Vec<f64> {
+    fn rate(&self, _time: f64, state: &[f64]) -> Vec<f64> {
         let w = self.fluid.matrix(state);
         let mut rate = CommutatorField::new(&self.fluid.0).at(&w);
         rate.add_in_place(&self.method.forcing().torque(&w));

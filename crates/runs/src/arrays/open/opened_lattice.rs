@@ -1,6 +1,7 @@
-//! A lattice of spins with friction, and at a temperature: [`OpenedLattice`].
+//! A lattice of spins with friction, at a temperature, and in a field that depends on the time: [`OpenedLattice`].
 
 use super::array_terms::LatticeTerms;
+use super::lattice_field::LatticeField;
 use super::noise_paths::NoisePaths;
 use super::on_path::OnPath;
 use super::opened::{Opened, Opening};
@@ -9,7 +10,7 @@ use crate::arrays::sites::sites_system::{Momenta, momenta, numbers, total};
 use collective_integrators::{AnyIntegrator, StageSolver};
 use lie_poisson::{Sites, SitesHamiltonian, State, larger};
 use lie_poisson_formula_systems::{FormulaSystemError, OpenSystemError};
-use lie_poisson_systems::{LangevinSpins, SpinDamping};
+use lie_poisson_systems::{FieldInTime, LangevinSpins, SpinDamping};
 use nalgebra::Vector3;
 
 /// The name of the sum of the squares of all lengths, which alone is kept.
@@ -19,7 +20,7 @@ const LENGTHS: &str = "C";
 /// kept.
 #[derive(Debug)]
 pub(in crate::arrays) struct OpenedLattice {
-    langevin: LangevinSpins<OpenLattice>,
+    langevin: LangevinSpins<OpenLattice, Option<LatticeField>>,
     damping: SpinDamping,
     temperature: f64,
 }
@@ -46,6 +47,7 @@ impl OpenedLattice {
             name: "damping",
             needed: format!("possible: {error}"),
         })?;
+        let langevin = langevin.with_field(terms.field.clone());
         Ok(Box::new(Self { langevin, damping, temperature }))
     }
 }
@@ -55,11 +57,12 @@ impl Opened for OpenedLattice {
         ["h", "M1", "M2", "M3", LENGTHS].map(str::to_owned).to_vec()
     }
 
-    /// h is NaN for a state of another dimension.
-    fn append(&self, state: &[f64], values: &mut Vec<f64>) {
+    /// h, with the field of the time, is NaN for a state of another dimension, and where the field has no value.
+    fn append(&self, time: f64, state: &[f64], values: &mut Vec<f64>) {
         let spins = momenta(state);
-        values.push(self.langevin.hamiltonian().value(&spins));
-        values.extend(total(&spins.0).iter());
+        let (sum, uniform) = (total(&spins.0), self.langevin.field().at(time));
+        values.push(self.langevin.hamiltonian().value(&spins) - uniform.dot(&sum));
+        values.extend(sum.iter());
         values.push(spins.0.iter().map(Vector3::norm_squared).sum());
     }
 
@@ -67,12 +70,21 @@ impl Opened for OpenedLattice {
         quantity == LENGTHS
     }
 
-    fn rate(&self, state: &[f64]) -> Vec<f64> {
+    fn rate(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        let uniform = self.langevin.field().at(time);
         let spins = momenta(state);
         let mut dh: Sites<Vector3<f64>> = State::zeros_of(&spins.0.len());
         self.langevin.hamiltonian().differential_into(&spins, &mut dh);
-        let rates = spins.0.iter().zip(dh.iter()).map(|(spin, dh)| self.damping.rate(spin, &-dh));
+        let rates = spins
+            .0
+            .iter()
+            .zip(dh.iter())
+            .map(|(spin, dh)| self.damping.rate(spin, &(uniform - dh)));
         numbers(&rates.collect::<Vec<_>>())
+    }
+
+    fn rate_of_drive(&self) -> f64 {
+        self.langevin.field().as_ref().map_or(0.0, LatticeField::size)
     }
 
     /// The largest of all spins: with Gilbert's damping short spins turn more.

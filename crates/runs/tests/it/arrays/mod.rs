@@ -2,5 +2,6 @@
 
 mod array_runs;
 mod array_systems;
+mod lattices_in_time;
 mod open_fluids;
 mod open_lattices;

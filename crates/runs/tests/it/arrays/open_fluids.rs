@@ -120,7 +120,7 @@ fn the_rate_is_the_limit_of_steps() {
     let there = run(fluid(7), terms, &EDDIES, (1e-4, 1e-4, 1));
     let mut given = there.start.clone();
     there.model.present(&mut given);
-    let rate = there.model.rate(&given).unwrap();
+    let rate = there.model.rate(&given, 0.0).unwrap();
     let integrator = there.model.integrator(&there.method, &there.start).unwrap();
     let after = |step| {
         let end = integrator.after(&AnyState::from_slice(&there.start), step, 1).unwrap();
@@ -137,7 +137,7 @@ fn the_rate_is_the_limit_of_steps() {
         largest = largest.max((rate[i] - ideal[i]).abs());
     }
     assert!(largest > 0.1, "control: there are forces");
-    assert!(there.model.rate(&given[1..]).is_err());
+    assert!(there.model.rate(&given[1..], 0.0).is_err());
 }
 
 /// Transport noise keeps the enstrophy and no energy; other terms keep neither, and terms that are zero keep both.
@@ -322,7 +322,9 @@ fn what_a_fluid_cannot_have_is_refused() {
         "spin-lattice: damping must be left out: of the systems of arrays sphere-fluid has viscosity, a force and stirring"
     );
     let damping = Some(SpinDamping::LandauLifshitz(1.0));
-    assert!(OpenArrays::new(fluid(4), LatticeTerms { damping, noise: None }, 0.1).is_err());
+    assert!(
+        OpenArrays::new(fluid(4), LatticeTerms { damping, noise: None, field: None }, 0.1).is_err()
+    );
     let model = OpenArrays::new(fluid(4), stirring(0.1), 0.1).unwrap();
     for (formulation, scheme, has) in [
         (Some(Formulation::Direct), None, "it has reduced implicit-midpoint"),

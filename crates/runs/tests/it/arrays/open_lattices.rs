@@ -22,11 +22,11 @@ fn on(path: u64) -> NoisePaths {
 }
 
 fn at(temperature: f64) -> LatticeTerms {
-    LatticeTerms { damping: Some(FRICTION), noise: Some(noise(temperature)) }
+    LatticeTerms { noise: Some(noise(temperature)), ..damped(FRICTION) }
 }
 
 fn damped(damping: SpinDamping) -> LatticeTerms {
-    LatticeTerms { damping: Some(damping), noise: None }
+    LatticeTerms { damping: Some(damping), ..LatticeTerms::default() }
 }
 
 /// Returns spins with a field of size B along e₃ and without bonds.
@@ -84,7 +84,7 @@ fn the_rate_is_the_limit_of_steps() {
         let end = integrator.after(&AnyState::from_slice(&start), step, 1).unwrap().momentum;
         end.as_slice().to_vec()
     };
-    let (forth, back, rate) = (after(1e-4), after(-1e-4), model.rate(&start).unwrap());
+    let (forth, back, rate) = (after(1e-4), after(-1e-4), model.rate(&start, 0.0).unwrap());
     let undamped = model.system().rate(&start).unwrap();
     let mut largest = 0.0_f64;
     for (i, rate) in rate.iter().enumerate() {
@@ -96,7 +96,7 @@ fn the_rate_is_the_limit_of_steps() {
     let dh = model.differential(&start);
     let change: f64 = dh.iter().zip(&rate).map(|(dh, rate)| dh * rate).sum();
     assert!(change < -0.1, "{change}");
-    assert!(model.rate(&start[1..]).is_err());
+    assert!(model.rate(&start[1..], 0.0).is_err());
 }
 
 /// The energy per bond of a long ring is −J (coth K − 1/K), K = J/kT, by the transfer operator: (coth K − 1/K)ᴺ is left
@@ -182,7 +182,7 @@ fn runs_continue_and_come_back() {
 fn strong_noise_has_its_angle_and_a_warning() {
     let given = Arguments::new().list("S", vec![0.0, 0.0, 2.0, 0.0, 0.5, 0.0]);
     for (damping, friction) in [(FRICTION, 1.0), (SpinDamping::Gilbert(1.0), 0.5 / 0.5)] {
-        let terms = LatticeTerms { damping: Some(damping), noise: Some(noise(4.0)) };
+        let terms = LatticeTerms { noise: Some(noise(4.0)), ..damped(damping) };
         let lattice = lattice(&[2.0], 1.0);
         let start = lattice.start_of(&given).unwrap();
         let model = OpenArrays::new(lattice, terms, 0.02).unwrap();
@@ -206,15 +206,15 @@ fn what_a_lattice_cannot_have_is_refused() {
     let refused =
         |terms, step| OpenArrays::new(lattice(&[4.0], 1.0), terms, step).unwrap_err().to_string();
     let noisy = |paths| LatticeTerms {
-        damping: Some(FRICTION),
         noise: Some(LatticeNoise { paths, ..noise(1.0) }),
+        ..damped(FRICTION)
     };
     for (terms, part) in [
         (damped(SpinDamping::Gilbert(-0.5)), "0 or a positive number, it is -0.5"),
         (damped(SpinDamping::LandauLifshitz(f64::NAN)), "it is NaN"),
         (at(-1.0), "the temperature must be 0 or a positive number, it is -1"),
         (at(f64::INFINITY), "it is inf"),
-        (LatticeTerms { damping: None, noise: Some(noise(1.0)) }, "a temperature needs a friction"),
+        (LatticeTerms { damping: None, ..at(1.0) }, "a temperature needs a friction"),
         (noisy(NoisePaths { path: 1 << 53, ..on(0) }), "below 9007199254740992"),
         (noisy(NoisePaths { interval: Some(1e-9), ..on(0) }), "at least 0.00001, it is"),
         (noisy(NoisePaths { interval: Some(f64::NAN), ..on(0) }), "it is NaN"),
@@ -228,7 +228,8 @@ fn what_a_lattice_cannot_have_is_refused() {
     let error = OpenArrays::new(fluid, damped(FRICTION), 0.1).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "sphere-fluid: damping must be left out: of the systems of arrays spin-lattice has friction and a temperature"
+        "sphere-fluid: damping must be left out: of the systems of arrays spin-lattice has friction, a temperature and a field in \
+         time"
     );
     let model = OpenArrays::new(lattice(&[4.0], 1.0), at(1.0), 0.1).unwrap();
     for (formulation, scheme, has) in [

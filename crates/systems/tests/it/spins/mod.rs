@@ -1,5 +1,6 @@
 //! Chains and lattices of spins.
 
+mod driven_lattices;
 mod heisenberg_lattice;
 mod lattice_on_lanes;
 pub mod spin_chain;

@@ -184,7 +184,7 @@ fn errors_name_the_value_the_bound_and_the_line() {
         (
             "[noise]",
             "[drive]\nomega = 1\n[noise]",
-            &["[drive] is for tops", "a sphere-fluid these and [torque]"],
+            &["[drive] is for tops", "a sphere-fluid [damping], [noise] and [torque]"],
         ),
         (
             "step = 0.05",

@@ -40,7 +40,7 @@ fn rows(damping: SpinDamping, path: Option<u64>) -> Vec<Vec<f64>> {
     let start = ring.start_of(&start).unwrap();
     let paths = |path| NoisePaths { path, ..NoisePaths::default() };
     let noise = path.map(|path| LatticeNoise { temperature: 0.5, paths: paths(path) });
-    let terms = LatticeTerms { damping: Some(damping), noise };
+    let terms = LatticeTerms { damping: Some(damping), noise, field: None };
     let model = OpenArrays::new(ring, terms, 0.05).unwrap();
     let method = model.method(None, None, 0.0).unwrap();
     let pace = Pace { schedule: Schedule::new(0.05, 4.0).unwrap(), every: 20 };
@@ -209,7 +209,7 @@ fn errors_name_the_value_the_bound_and_the_line() {
         ("temperature = 0.5", "temperature = 1\ninterval = 1e-9", &["must be at least 0.000005"]),
         ("temperature = 0.5", "temperature = 1\npath = 9007199254740992", &["below 900719925474"]),
         ("temperature = 0.5", "temperature = 1\nbound = 0.5", &["1 standard deviation or more"]),
-        ("[noise]", "[drive]\nS = [0, 0, 1]\n[noise]", &["[drive] is for tops", "has [damping]"]),
+        ("[noise]", "[drive]\nS = [0, 0, 1]\n[noise]", &["drive.S is of other systems"]),
         ("[noise]", "[torque]\nS = [0, 0, 1]\n[noise]", &["[torque] is for tops and systems by"]),
         (
             "step = 0.05",

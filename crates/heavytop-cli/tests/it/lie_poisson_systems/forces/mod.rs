@@ -2,6 +2,7 @@
 
 mod systems_with_forces;
 mod tops_with_forces;
+mod lattices_with_drives;
 mod lattices_with_noise;
 mod gilbert_damping_by_name;
 mod fluids_with_forces;
