@@ -2,10 +2,8 @@
 
 mod systems_with_forces;
 mod tops_with_forces;
-mod lattices_with_drives;
-mod lattices_with_noise;
+mod arrays;
 mod gilbert_damping_by_name;
-mod fluids_with_forces;
 mod sweeps_with_forces;
 mod refused_forces;
 mod begun_with_forces;
