@@ -90,8 +90,11 @@ mod fields;
 mod methods;
 
 pub use fields::direct_field::CommutatorField;
+pub use fields::driven_isospectral_field::DrivenIsospectralField;
+pub use fields::isospectral_double_bracket::IsospectralDoubleBracket;
 pub use fields::isospectral_field::IsospectralField;
 pub use fields::isospectral_noise::IsospectralNoise;
+pub use fields::isotropic_isospectral_noise::IsotropicIsospectralNoise;
 pub use matrices::large_matrix::LargeMatrix;
 pub use matrices::products::Products;
 pub use matrices::skew_hermitian::LargeSkewHermitian;

@@ -2,4 +2,7 @@
 
 pub(crate) mod isospectral_field;
 pub(crate) mod isospectral_noise;
+pub(crate) mod driven_isospectral_field;
+pub(crate) mod isospectral_double_bracket;
+pub(crate) mod isotropic_isospectral_noise;
 pub(crate) mod direct_field;

@@ -103,6 +103,20 @@ impl<S: Equivariant> IsospectralWorkspace<S> {
     }
 }
 
+impl<S: Equivariant> IsospectralWorkspace<S> {
+    /// Replaces W by exp(Ω) W exp(−Ω).
+    ///
+    /// # Errors
+    /// Returns [`StepError::NotFinite`], and leaves W unchanged, if the result is not finite.
+    pub(crate) fn turn(
+        &mut self,
+        omega: &LargeSkewHermitian,
+        w: &mut LargeSkewHermitian,
+    ) -> Result<(), StepError> {
+        self.conjugation.by_exponential(&mut self.stages.get_mut().products, omega, w)
+    }
+}
+
 /// The temporary matrices of an evaluation of B(Q W₀ Q*) Q.
 #[derive(Debug)]
 struct StageStorage {

@@ -1,26 +1,31 @@
 //! Isospectral equations with noise: [`NoisyIsospectral`].
 
+use crate::fields::driven_isospectral_field::DrivenIsospectralField;
 use crate::fields::isospectral_field::IsospectralField;
 use crate::fields::isospectral_noise::IsospectralNoise;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
 use crate::methods::isospectral_runge_kutta::{IsospectralWorkspace, step_of_multiplier};
 use collective_integrators::momentum_map::LiftError;
 use collective_integrators::{
-    BrownianPaths, Equivariant, Integrator, PathAndTime, Start, Step, StepError,
+    BrownianPaths, Equivariant, Integrator, NoisePart, NoiseRule, PathAndTime, Start, Step,
+    StepError, StepParts,
 };
 use lie_poisson::{Pair, State, Time, Vector};
 
-/// The integrator of an [isospectral equation](IsospectralField) with [noise](IsospectralNoise), in Stratonovich's
+/// The integrator of an [isospectral equation](DrivenIsospectralField) with [noise](IsospectralNoise), in Stratonovich's
 /// sense:
 ///
 /// ```text
-/// dW = [B(W), W] dt + Σ_k [Ξ_k, W] ∘ dW_k
+/// dW = [B(W, t), W] dt + Σ_k [Ξ_k, W] ∘ dW_k
 /// ```
 ///
-/// A step is one of [`IsospectralRungeKutta`](crate::IsospectralRungeKutta) with the generator B(W) + Σ_k (ΔW_k/h) Ξ_k.
+/// A step is one of [`IsospectralRungeKutta`](crate::IsospectralRungeKutta) with the generator B(W, tₘ) + Σ_k (ΔW_k/h) Ξ_k, and
+/// with the time tₘ in the middle of the step, so that an equation with the time in it has the order 2 at most. Steps are divided
+/// where it jumps.
 /// So each path keeps the spectrum of W to round-off, with every symplectic scheme; the implicit midpoint rule gives
 /// the stochastic isospectral midpoint rule. The strong order is ½, and 1 if the generators Ξ_k commute with each
-/// other; the weak order is 1.
+/// other; the weak order is 1. With the rule [`NoiseRule::Alternating`] the generators act one after the other, by their
+/// exponentials, and the weak order is 2.
 ///
 /// The increments ΔW_k are those of [`BrownianPaths`]: functions of the seed, the number of the path, k and the time,
 /// and bounded, so that the stage equations of a step that is short enough always have a solution. A momentum is (W,
@@ -66,12 +71,20 @@ pub struct NoisyIsospectral<S, F, N> {
     field: F,
     noise: N,
     paths: BrownianPaths,
+    rule: NoiseRule,
 }
 
-impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> NoisyIsospectral<S, F, N> {
-    /// Creates an integrator that applies the scheme to the unitary matrices which move W.
+impl<S: Equivariant, F: DrivenIsospectralField, N: IsospectralNoise> NoisyIsospectral<S, F, N> {
+    /// Creates an integrator that applies the scheme to the unitary matrices which move W, with all noise
+    /// [together](NoiseRule::Together).
     pub const fn new(scheme: S, field: F, noise: N, paths: BrownianPaths) -> Self {
-        Self { scheme, field, noise, paths }
+        Self { scheme, field, noise, paths, rule: NoiseRule::Together }
+    }
+
+    /// Returns this with another rule for the noise.
+    #[must_use]
+    pub fn with_rule(self, rule: NoiseRule) -> Self {
+        Self { rule, ..self }
     }
 
     /// Returns this with another scheme.
@@ -108,26 +121,29 @@ pub struct NoisyIsospectralWorkspace<S: Equivariant> {
     /// Σ_k (ΔW_k/h) Ξ_k.
     noise: LargeSkewHermitian,
     weights: Vec<f64>,
+    /// W at the beginning of a step, for one that fails.
+    start: LargeSkewHermitian,
 }
 
-/// The generator B(W) + Ξ of a step, in which the noise Ξ is constant.
+/// The generator B(W, t) + Ξ of a step, in which the time and the noise Ξ are constant.
 struct WithNoise<'a, F> {
     field: &'a F,
+    time: f64,
     noise: &'a LargeSkewHermitian,
 }
 
-impl<F: IsospectralField> IsospectralField for WithNoise<'_, F> {
+impl<F: DrivenIsospectralField> IsospectralField for WithNoise<'_, F> {
     fn size(&self) -> usize {
         self.field.size()
     }
 
     fn generator_into(&self, w: &LargeSkewHermitian, generator: &mut LargeSkewHermitian) {
-        self.field.generator_into(w, generator);
+        self.field.generator_at_into(w, self.time, generator);
         generator.add_in_place(self.noise);
     }
 }
 
-impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> Integrator
+impl<S: Equivariant, F: DrivenIsospectralField, N: IsospectralNoise> Integrator
     for NoisyIsospectral<S, F, N>
 {
     type State = Pair<LargeSkewHermitian, PathAndTime<f64>>;
@@ -139,6 +155,7 @@ impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> Integrator
             stages: IsospectralWorkspace::new(&self.scheme, self.field.size()),
             noise: LargeSkewHermitian::zeros(self.field.size()),
             weights: vec![0.0; self.noise.count()],
+            start: LargeSkewHermitian::zeros(self.field.size()),
         }
     }
 
@@ -159,17 +176,36 @@ impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> Integrator
     ) -> Result<usize, StepError> {
         StepError::check_start(clock, step)?;
         let Pair(path, time) = clock;
-        let NoisyIsospectralWorkspace { stages, noise, weights } = workspace;
-        let end = time.0 + step / self.paths.interval();
-        noise.set_zero();
-        if step != 0.0 {
-            self.paths.write_increments(path.0 as u64, time.0, end, weights);
-            weights.iter_mut().for_each(|weight| *weight /= step);
-            self.noise.add_to(weights, noise);
+        let (interval, begin) = (self.paths.interval(), time.0);
+        // Noise that is together is divided as the pieces are.
+        let is_together = self.rule == NoiseRule::Together;
+        let noise = (!is_together).then(|| (&self.paths, self.rule, self.noise.count()));
+        workspace.start.assign(w);
+        let mut elapsed = 0.0;
+        let made = StepParts { interval, noise }.make(
+            (path.0, begin),
+            step,
+            |time, forward| self.field.next_break(time, forward),
+            |window, part| {
+                if is_together {
+                    let of_piece = [elapsed, elapsed + part.step].map(|t| begin + t / interval);
+                    self.write_together((path.0, of_piece), part.step, workspace);
+                } else {
+                    workspace.noise.set_zero();
+                    if !part.weights.is_empty() {
+                        self.noise.add_to(part.weights, &mut workspace.noise);
+                    }
+                }
+                let middle = window.nearest(begin * interval + elapsed + 0.5 * part.step);
+                elapsed += part.drift * part.step;
+                self.make_part(middle, part, w, workspace)
+            },
+        );
+        if made.is_err() {
+            w.assign(&workspace.start);
         }
-        let field = WithNoise { field: &self.field, noise };
-        let iterations = step_of_multiplier((&self.scheme, &field), w, step, stages)?;
-        time.0 = end;
+        let iterations = made?;
+        time.0 = begin + step / interval;
         Ok(iterations)
     }
 
@@ -181,7 +217,42 @@ impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> Integrator
     }
 }
 
-impl<S: Equivariant, F: IsospectralField, N: IsospectralNoise> Start for NoisyIsospectral<S, F, N> {
+impl<S: Equivariant, F: DrivenIsospectralField, N: IsospectralNoise> NoisyIsospectral<S, F, N> {
+    /// Writes Σ_k (ΔW_k/h) Ξ_k with the increments of a path between two times, in intervals.
+    fn write_together(
+        &self,
+        (path, [from, to]): (f64, [f64; 2]),
+        step: f64,
+        NoisyIsospectralWorkspace { noise, weights, .. }: &mut NoisyIsospectralWorkspace<S>,
+    ) {
+        noise.set_zero();
+        if step != 0.0 {
+            self.paths.write_increments(path as u64, from, to, weights);
+            weights.iter_mut().for_each(|weight| *weight /= step);
+            self.noise.add_to(weights, noise);
+        }
+    }
+
+    /// Replaces W by its value after a part of a step, at a time.
+    fn make_part(
+        &self,
+        time: f64,
+        NoisePart { drift, step, .. }: NoisePart<'_, f64>,
+        w: &mut LargeSkewHermitian,
+        NoisyIsospectralWorkspace { stages, noise, .. }: &mut NoisyIsospectralWorkspace<S>,
+    ) -> Result<usize, StepError> {
+        if drift == 0.0 {
+            noise.scale_in_place(step);
+            return stages.turn(noise, w).map(|()| 1);
+        }
+        let field = WithNoise { field: &self.field, time, noise };
+        step_of_multiplier((&self.scheme, &field), w, step, stages)
+    }
+}
+
+impl<S: Equivariant, F: DrivenIsospectralField, N: IsospectralNoise> Start
+    for NoisyIsospectral<S, F, N>
+{
     /// Returns W, the number of the path, and the time in intervals.
     fn start(&self, Pair(w, Pair(path, time)): &Self::Momentum) -> Result<Self::State, LiftError> {
         Ok(Pair(w.clone(), Pair(*path, Time(time.0 / self.paths.interval()))))

@@ -3,6 +3,7 @@
 
 mod algebra;
 mod blocks_of_matrices;
+mod driven_isospectral;
 mod examples;
 mod isospectral_failures;
 mod matrices;

@@ -1,10 +1,10 @@
 //! Vorticities, and states of paths.
 
-use lie_poisson_systems::VorticityCoefficients;
 use lie_poisson_systems::collective_integrators::{BrownianPaths, PathAndTime};
 use lie_poisson_systems::isospectral_flows::LargeSkewHermitian;
-use lie_poisson_systems::lie_poisson::{Pair, PathNumber, Time, larger};
+use lie_poisson_systems::lie_poisson::{Pair, PathNumber, State, Time, larger};
 use lie_poisson_systems::num_complex::Complex;
+use lie_poisson_systems::{VorticityCoefficients, Zeitlin};
 
 pub type Coefficients = VorticityCoefficients;
 
@@ -38,4 +38,15 @@ pub fn paths(interval: f64) -> BrownianPaths {
 pub fn mean(values: impl Iterator<Item = f64>) -> f64 {
     let (sum, count) = values.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
     sum / count
+}
+
+/// Returns the largest change of the Casimirs tr(−iW/|W|)ᵏ, k = 1 … N.
+pub fn drift(fluid: &Zeitlin, start: &LargeSkewHermitian, end: &LargeSkewHermitian) -> f64 {
+    let casimirs = |w: &LargeSkewHermitian| {
+        let mut w = w.clone();
+        w.scale_in_place(1.0 / start.norm());
+        let count = w.size() as f64 / (4.0 * std::f64::consts::PI);
+        fluid.casimirs(&w, w.size()).into_iter().map(move |c| c * count)
+    };
+    casimirs(start).zip(casimirs(end)).map(|(a, b)| (a - b).abs()).fold(0.0, larger)
 }

@@ -1,12 +1,12 @@
 //! Transport noise on a fluid on the sphere: the Casimirs of paths, exact paths, and exact means.
 
 use crate::fluids::zeitlin::{difference, largest};
-use crate::open_fluids::support::{distance, eddies, on_path, paths};
+use crate::open_fluids::support::{distance, drift, eddies, on_path, paths};
 use lie_poisson_systems::collective_integrators::{Integrator, Start};
 use lie_poisson_systems::isospectral_flows::{
     IsospectralField, IsospectralNoise, LargeSkewHermitian, Products,
 };
-use lie_poisson_systems::lie_poisson::{State, larger};
+use lie_poisson_systems::lie_poisson::State;
 use lie_poisson_systems::num_complex::Complex;
 use lie_poisson_systems::{
     HarmonicNoise, StochasticFluid, ViscousForcing, VorticityCoefficients, Zeitlin,
@@ -17,17 +17,6 @@ use std::f64::consts::PI;
 fn carried(fluid: &Zeitlin, noise: HarmonicNoise, interval: f64) -> StochasticFluid {
     let none = ViscousForcing::new(fluid.clone());
     StochasticFluid::new(none, paths(interval)).with_transport(noise).unwrap()
-}
-
-/// Returns the largest change of the Casimirs tr(−iW/|W|)ᵏ, k = 1 … N.
-fn drift(fluid: &Zeitlin, start: &LargeSkewHermitian, end: &LargeSkewHermitian) -> f64 {
-    let casimirs = |w: &LargeSkewHermitian| {
-        let mut w = w.clone();
-        w.scale_in_place(1.0 / start.norm());
-        let count = w.size() as f64 / (4.0 * PI);
-        fluid.casimirs(&w, w.size()).into_iter().map(move |c| c * count)
-    };
-    casimirs(start).zip(casimirs(end)).map(|(a, b)| (a - b).abs()).fold(0.0, larger)
 }
 
 /// A fluid with transport noise in small eddies, its start, and the length of its steps.

@@ -1,0 +1,80 @@
+//! Noise in all directions of u(N): [`IsotropicIsospectralNoise`].
+
+use crate::fields::isospectral_noise::IsospectralNoise;
+use crate::matrices::skew_hermitian::LargeSkewHermitian;
+use lie_poisson::{DissipationError, State};
+
+/// Noise that is the same in all directions of u(N): Ξ_k = σ E_k with N² matrices E_k that are orthonormal for ⟨V, W⟩ = −tr(V W).
+///
+/// With the [double bracket](crate::IsospectralDoubleBracket) of friction θ and σ² = 2θkT it is Langevin's dynamics at the temperature T:
+/// the invariant measure on each orbit is exp(−h/kT) times the uniform one.
+///
+/// # Example
+/// ```
+/// use isospectral_flows::{IsospectralNoise, IsotropicIsospectralNoise, LargeSkewHermitian};
+/// let noise = IsotropicIsospectralNoise::thermal(3, (0.5, 2.0))?;
+/// let unit = |k: usize| {
+///     let mut xi = LargeSkewHermitian::zeros(3);
+///     noise.add_to(&(0..9).map(|i| f64::from(u8::from(i == k))).collect::<Vec<f64>>(), &mut xi);
+///     xi
+/// };
+/// for (k, l) in (0..9).flat_map(|k| (0..9).map(move |l| (k, l))) {
+///     let expected = if k == l { 2.0 } else { 0.0 }; // σ² = 2θkT
+///     assert!((unit(k).scalar_product(&unit(l)) - expected).abs() < 1e-15);
+/// }
+/// # Ok::<(), lie_poisson::DissipationError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IsotropicIsospectralNoise {
+    /// The size N.
+    pub size: usize,
+    /// The strength σ.
+    pub strength: f64,
+}
+
+impl IsotropicIsospectralNoise {
+    /// Returns the noise of a temperature, σ = √(2θkT) with the friction θ and the energy kT. Both must be 0 or positive.
+    ///
+    /// # Errors
+    /// Returns [`DissipationError`] for a negative friction or temperature, or one that is no finite number.
+    pub fn thermal(
+        size: usize,
+        (friction, temperature): (f64, f64),
+    ) -> Result<Self, DissipationError> {
+        if !(friction >= 0.0 && friction.is_finite()) {
+            return Err(DissipationError::Friction { friction });
+        }
+        if !(temperature >= 0.0 && temperature.is_finite()) {
+            return Err(DissipationError::Temperature { temperature });
+        }
+        // Roots of both, since the product may overflow.
+        let strength = 2.0_f64.sqrt() * friction.sqrt() * temperature.sqrt();
+        Ok(Self { size, strength })
+    }
+}
+
+impl IsospectralNoise for IsotropicIsospectralNoise {
+    fn count(&self) -> usize {
+        self.size.saturating_mul(self.size)
+    }
+
+    fn add_to(&self, weights: &[f64], generator: &mut LargeSkewHermitian) {
+        let n = self.size;
+        if generator.size() != n || weights.len() != self.count() {
+            return generator.scale_in_place(f64::NAN);
+        }
+        // A matrix with an entry off the diagonal has a second one.
+        let (diagonal, off) = (self.strength, self.strength * 0.5_f64.sqrt());
+        generator.change_upper(|re, im| {
+            for (k, j) in (0..n).flat_map(|k| (0..=k).map(move |j| (k, j))) {
+                let (above, below) = (j + n * k, k + n * j);
+                if j == k {
+                    im[above] += diagonal * weights[above];
+                } else {
+                    im[above] += off * weights[above];
+                    re[above] += off * weights[below];
+                }
+            }
+        });
+    }
+}
