@@ -52,14 +52,15 @@ class OpenNames:
             return trace(name, in_time(function), self.names, self.parameters)
         raise ValueError(f"{name} must be a formula or a function of the coordinates, got {function!r}")
 
-    def element(self, name: str, element: Element) -> list[Source]:
-        """Returns a formula for each coordinate."""
+    def element(self, name: str, element: Element, size: Optional[int] = None) -> list[Source]:
+        """Returns a formula for each coordinate, or so many formulas."""
+        size = self.size if size is None else size
         if callable(element):
-            return trace_element(name, in_time(element), self.names, self.parameters, self.size)
+            return trace_element(name, in_time(element), self.names, self.parameters, size)
         if isinstance(element, Mapping):
             if not element:
                 raise ValueError(f"{name} has no formulas")
-            every: list[Any] = [0.0] * self.size
+            every: list[Any] = [0.0] * size
             for key, value in element.items():
                 if key not in self.groups:
                     raise ValueError(f"{name} has no coordinate {key!r}; there are {', '.join(self.groups)}")
@@ -70,8 +71,8 @@ class OpenNames:
                     raise ValueError(f"{name}[{key!r}] must have {wanted} formulas, got {len(values)}")
                 every[places] = values
             return [self._formula(name, value) for value in every]
-        if isinstance(element, str) or np.ndim(element) == 0 or len(element) != self.size:
-            raise ValueError(f"{name} must have {self.size} formulas, one for each coordinate, got {element!r}")
+        if isinstance(element, str) or np.ndim(element) == 0 or len(element) != size:
+            raise ValueError(f"{name} must have {size} formulas, one for each coordinate, got {element!r}")
         return [self._formula(name, value) for value in element]
 
     def _formula(self, name: str, value: Any) -> Source:
@@ -201,7 +202,8 @@ def lattice_damping(damping: Union[float, Mapping[str, Any]]) -> tuple[float, bo
 
 def is_gilbert(damping: Mapping[str, Any]) -> bool:
     """Returns whether a damping of spins is Gilbert's."""
-    return choice("form", damping.get("form", "landau-lifshitz"), ("landau-lifshitz", "gilbert")) == "gilbert"
+    form: str = choice("form", damping.get("form", "landau-lifshitz"), ("landau-lifshitz", "gilbert"))
+    return form == "gilbert"
 
 
 def lattice_field(drive: Optional[Mapping[str, Any]], inputs: Optional[Inputs]) -> Optional[_native.Field]:
@@ -214,11 +216,8 @@ def lattice_field(drive: Optional[Mapping[str, Any]], inputs: Optional[Inputs]) 
         raise ValueError("drive of a lattice has no field")
     tables, field = native_inputs(inputs), given["field"]
     names = OpenNames({}, {}, [name for name, *_ in tables])
-    names.size = 3
-    if callable(field) and not takes_time(field):
-        function = field
-        field = lambda x: function(x[TIME])  # noqa: E731
-    return tables, names.element("drive['field']", field)
+    of_time = callable(field) and not takes_time(field)
+    return tables, names.element("drive['field']", (lambda x: field(x[TIME])) if of_time else field, 3)
 
 
 def lattice_noise(noise: Mapping[str, Any]) -> tuple[float, _native.Path]:

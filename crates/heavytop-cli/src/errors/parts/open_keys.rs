@@ -40,7 +40,10 @@ pub(super) fn keys_of_open(error: &OpenSystemError) -> Vec<(String, &'static str
         E::Strength { .. } => key("noise.strength", "write 0 or more"),
         E::TemperatureAlone => key("noise.temperature", "add [damping], or write strength"),
         E::TemperatureWithoutFriction { .. } => {
-            ["damping.friction", "noise.temperature"].map(|key| (key.into(), "")).to_vec()
+            vec![
+                ("damping.friction".into(), "write more than 0, or leave noise.temperature out"),
+                ("noise.temperature".into(), "write 0, or leave it out"),
+            ]
         }
         E::NoSpins { .. } => key("damping.form", "leave it out"),
         _ => Vec::new(),

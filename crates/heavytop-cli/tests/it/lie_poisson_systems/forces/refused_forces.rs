@@ -34,7 +34,10 @@ fn errors_name_the_value_the_bound_and_the_line() {
         (
             SPIN,
             "[damping]\nfriction = 0\n[noise]\ntemperature = 0.5\n",
-            &["beside temperature = 0.5 the friction must be a positive number", "friction = 0"],
+            &[
+                "friction must be a positive number",
+                "^ write more than 0, or leave noise.temperature out",
+            ],
         ),
         (
             SPIN,
