@@ -215,6 +215,35 @@ def test_a_noise_has_sections_at_times_alone():
     assert warm.section(SPIN, lambda x, t: t - 1, step=0.1, end=4).t.size == 1
 
 
+def test_a_balance_tells_what_forces_supply():
+    torque = ["sin(t)", "-0.2*Pi2", "0"]
+    body = System("so(3)", "(Pi1^2 + Pi2^2/2 + Pi3^2/3)/2", torque=torque)
+    defects = []
+    for step in (0.2, 0.1):
+        run = body.solve([0.6, -0.5, 1.2], step=step, end=2, scheme="gauss-4")
+        found = run.balance()
+        assert set(found) == {"h", "c1"}
+        for symbol, balance in found.items():
+            values = run.invariants[symbol]
+            assert balance.change == pytest.approx(values[-1] - values[0], abs=1e-14)
+            assert abs(balance.change - balance.supplied) <= balance.defect < 1e-4 < abs(balance.change)
+        defects.append(found["h"].defect)
+    assert defects[0] / defects[1] == pytest.approx(16, rel=0.3), "order 4"
+    # By another quadrature of the power, over a fine run.
+    fine = body.solve([0.6, -0.5, 1.2], step=0.005, end=2)
+    power = np.sin(fine.t) * fine.y[0] - 0.2 * fine.y[1] ** 2 / 2
+    weights = np.ones(fine.t.size)
+    weights[1:-1:2], weights[2:-1:2] = 4, 2
+    assert (weights * power).sum() * 0.005 / 3 == pytest.approx(fine.balance()["h"].supplied, abs=1e-9)
+    assert abs((weights * -power).sum() * 0.005 / 3 - fine.balance()["h"].supplied) > 0.1, "control: the other sign"
+    # Friction takes h and no Casimir.
+    damped = System("so(3)", "-2*Pi3", damping=0.1).solve(SPIN, step=0.1, end=5).balance()
+    assert damped["h"].supplied == pytest.approx(-2 * np.tanh(1), abs=1e-12) and damped["c1"].defect < 1e-13
+    for system, step in ((System("so(3)", "-Pi3"), 0.1), (System("so(3)", "-Pi3", noise={"strength": 0.1}), 0.1)):
+        with pytest.raises(ValueError, match="a balance is of"):
+            system.solve(SPIN, step=step, end=1).balance()
+
+
 def test_a_kind_may_have_forces():
     gyrostat = {"kind": "body-with-rotors", "parameters": {"I": [1, 2, 3], "J": [0.1, 0.2]}}
     start = {"Pi": [0.3, 1, 0.2], "l": [0.2, 0.1]}

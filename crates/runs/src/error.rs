@@ -142,6 +142,12 @@ pub enum RunFailure {
         /// The time, s.
         time: f64,
     },
+    /// The forces on a motion have no rates.
+    #[error(
+        "a balance is of a top or a system by formula with a drive, damping, a torque or the time in its energy, and without \
+         noise: only there forces supply energy at a rate"
+    )]
+    NoBalance,
     /// An ensemble of paths has none.
     #[error("{reason}")]
     NoPaths {

@@ -1,9 +1,12 @@
 //! A system by formula that is open: [`OpenSystem`].
 
 use super::open_terms::OpenTerms;
+use crate::casimirs::casimir::ScalarFunction;
+use crate::error::FormulaSystemError;
 use crate::open_system_error::OpenSystemError;
 use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::BrownianPaths;
+use lie_poisson::DualNumber;
 use lie_poisson_formulas::Formula;
 
 /// A Lie–Poisson system that is driven, damped, noisy or forced, as its [`OpenTerms`] say.
@@ -138,6 +141,35 @@ impl OpenSystem {
     #[must_use]
     pub fn is_of_time(&self, function: &Formula) -> bool {
         !(0..self.base.algebra().dimension()).any(|i| function.depends_on(i))
+    }
+
+    /// Returns the rates at which a motion without noise changes h and the Casimirs in their order, ⟨dC, dμ/dt⟩ and for h also ∂h/∂t: what
+    /// the drive, the friction, the torque and the time in h supply.
+    ///
+    /// # Errors
+    /// Returns [`FormulaSystemError::StateLength`] if the length of the momentum is not the dimension.
+    pub fn supplied_rates(&self, mu: &[f64], time: f64) -> Result<Vec<f64>, FormulaSystemError> {
+        let rate = self.rate(mu, time)?;
+        let along = mu.iter().zip(&rate).map(|(mu, rate)| DualNumber::new(*mu, *rate));
+        let mut x: Vec<DualNumber> = along.collect();
+        let energy = match &self.terms.hamiltonian {
+            Some(hamiltonian) => {
+                self.terms.inputs.append(DualNumber::new(time, 1.0), &mut x);
+                hamiltonian.value_of(x.len(), |i| x[i])
+            }
+            None => self.base.hamiltonian().value_of(x.len(), |i| x[i]),
+        };
+        let of_casimir = |casimir: &dyn ScalarFunction| {
+            casimir.differential_at(mu).iter().zip(&rate).map(|(slope, rate)| slope * rate).sum()
+        };
+        let casimirs = self.base.conserved_functions().skip(1).map(of_casimir);
+        Ok([energy.derivative()].into_iter().chain(casimirs).collect())
+    }
+
+    /// Returns the first time after a time, or before it, at which an input is not smooth.
+    #[must_use]
+    pub fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        self.terms.inputs.next_break(time, forward)
     }
 
     /// Returns whether h is constant along the motion.

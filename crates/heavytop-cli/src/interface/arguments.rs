@@ -81,6 +81,9 @@ pub(super) enum Command {
         /// Make the run again with half the step and with twice the step, and say its error and order.
         #[arg(long, conflicts_with = "dry_run")]
         check: bool,
+        /// Say how forces change the conserved quantities, what they supply to them, and what the method adds.
+        #[arg(long, conflicts_with = "dry_run")]
+        balance: bool,
         /// Write nothing; print the rows and the size of the output, and an estimate of the time.
         #[arg(long, conflicts_with = "resume")]
         dry_run: bool,

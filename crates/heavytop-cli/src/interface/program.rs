@@ -18,7 +18,9 @@ use crate::commands::plot::{PlotOptions, plot, plot_as_text};
 use crate::commands::report::report;
 use crate::commands::reproduce::reproduce;
 use crate::commands::section::{self, section};
-use crate::commands::simulate::{self, Checkpoint, RunSummary, SimulateOptions, simulate};
+use crate::commands::simulate::{
+    self, Checkpoint, Measures, RunSummary, SimulateOptions, simulate,
+};
 use crate::commands::sweep::{self, sweep_if};
 use crate::configuration::Notes;
 use crate::errors::{Error, Report};
@@ -86,16 +88,17 @@ fn run(Arguments { quiet, json, command }: Arguments) -> Result<(), Error> {
             restart,
             checkpoint_interval,
             check,
+            balance,
             yes,
             ..
         } => {
             let resume = resume.as_ref().map(Option::as_deref);
-            let begin =
-                Begin { resume, restart, replacing, interval: checkpoint_interval, check, yes };
+            let (interval, measures) = (checkpoint_interval, Measures { check, balance });
+            let begin = Begin { resume, restart, replacing, interval, measures, yes };
             let (summary, notes) = run_simulate(&top, &out, &begin, quiet)?;
             closing.end(&summary, &notes, &out)?;
             // The run is complete; there is nothing to resume.
-            match summary.check.is_some_and(|check| check.was_interrupted()) {
+            match summary.was_interrupted() {
                 true => Err(Error::Interrupted { resume: None }),
                 false => Ok(()),
             }
@@ -267,8 +270,8 @@ struct Begin<'a> {
     replacing: Replacing,
     /// The time between checkpoints, s.
     interval: f64,
-    /// Whether to check the whole run.
-    check: bool,
+    /// What is measured of the whole run.
+    measures: Measures,
     /// Whether not to ask before an output that is absurdly large.
     yes: bool,
 }
@@ -292,7 +295,7 @@ fn run_simulate(
     begin: &Begin<'_>,
     quiet: bool,
 ) -> Result<(RunSummary, Notes), Error> {
-    let Begin { resume, restart, replacing, interval, check, yes } = *begin;
+    let Begin { resume, restart, replacing, interval, measures, yes } = *begin;
     let resume = resume.map(|path| checkpoint(top, out, path)).transpose()?.flatten();
     let range = "not negative, and at most 1e9";
     let interval = Duration::try_from_secs_f64(interval)
@@ -310,7 +313,8 @@ fn run_simulate(
         }
         let stop = Some(interrupted());
         let resume = resume.as_ref();
-        let options = SimulateOptions { resume, restart, interval, stop, check, quiet, safeguard };
+        let options =
+            SimulateOptions { resume, restart, interval, stop, measures, quiet, safeguard };
         if let Some(warning) = config.body_warning() {
             warn(warning);
         }

@@ -23,7 +23,7 @@ from importlib.metadata import version
 
 from . import functions
 from ._native import IntegrationError
-from .accuracy import Check
+from .accuracy import Balance, Check
 from .array_systems import ArraySystem, ManyVortices, SphereFluid, SpinLattice, VibratingLattice
 from .chaos import Chaos, lyapunov
 from .directions import vertical
@@ -45,6 +45,7 @@ __version__ = version("heavytop")
 
 __all__ = [
     "ArraySystem",
+    "Balance",
     "BodyInFluid",
     "Chaos",
     "Check",

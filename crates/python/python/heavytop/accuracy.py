@@ -35,6 +35,14 @@ class Check(NamedTuple):
     t: float
 
 
+class Balance(NamedTuple):
+    """How a quantity changed along a run, what the forces supplied of it, and the largest difference of both, which the method added."""
+
+    change: float
+    supplied: float
+    defect: float
+
+
 class Measured(Protocol):
     """The native part of a top or a system."""
 

@@ -7,17 +7,21 @@ use super::interruption::Interruption;
 use super::record::Record;
 use super::recording::Recording;
 use crate::arrays::rows;
-use crate::errors::refused;
+use crate::errors::{failed, refused};
+use collective_integrators::diagnostics::Balance;
 use collective_integrators::{AnyState, Integrator, Start};
 use heavytop::methods::Method;
 use lie_poisson::Quaternion;
-use lie_poisson_runs::{Model, Schedule};
+use lie_poisson_runs::{Model, RunFailure, Schedule};
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::{Bound, PyResult, Python};
 
 /// A formulation, which may be left to the system, a scheme, and the tolerance of its stage equations.
 pub(crate) type MethodArgument = (Option<String>, String, f64);
+
+/// The change of a conserved quantity, what the forces supplied of it, and the largest difference of both.
+pub(crate) type BalanceNumbers = (f64, f64, f64);
 
 /// The start, the step and the method of a run.
 pub(crate) type Setting = (Vec<f64>, f64, MethodArgument);
@@ -113,6 +117,27 @@ impl<'a> Following<'a> {
             let going = || interruption.is_going();
             let checked = self.model.check(&self.method, &self.start, (self.step, steps), &going);
             interruption.or(checked.map_err(refused).and_then(check))
+        })
+    }
+
+    /// Measures the balances of a run of so many steps: the change, what the forces supplied, and the largest difference of both, of
+    /// each conserved quantity in their order.
+    ///
+    /// # Errors
+    /// Returns `ValueError` if the forces have no rates, `IntegrationError` if a step fails, and `KeyboardInterrupt`.
+    pub(crate) fn balances(&self, py: Python<'_>, steps: u64) -> PyResult<Vec<BalanceNumbers>> {
+        py.detach(|| {
+            let interruption = Interruption::default();
+            let going = || interruption.is_going();
+            let found =
+                self.model.balances((&self.method, &self.start), (self.step, steps), &going);
+            let found = found.map_err(|error| match error {
+                RunFailure::Integration { .. } | RunFailure::NoValue { .. } => failed(error),
+                _ => refused(error),
+            });
+            let numbers = |(_, of): (String, Balance)| (of.change, of.supplied, of.defect);
+            let found = found.map(|found| found.into_iter().flatten().map(numbers).collect());
+            interruption.or(found)
         })
     }
 

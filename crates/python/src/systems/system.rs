@@ -11,7 +11,7 @@ use crate::recorded::Recorded;
 use crate::runs::accuracy::{Accuracy, Check};
 use crate::runs::event::{Event, EventArgument};
 
-use crate::runs::following::{Following, MethodArgument, Setting};
+use crate::runs::following::{BalanceNumbers, Following, MethodArgument, Setting};
 use crate::runs::interruption::until_interrupted;
 use collective_integrators::diagnostics::SystemScales;
 use core::sync::atomic::Ordering;
@@ -324,6 +324,17 @@ impl System {
     fn check(&self, py: Python<'_>, setting: Setting, steps: u64) -> PyResult<Check> {
         let model = self.model(setting.1)?;
         self.following(&model, &setting)?.check(py, steps)
+    }
+
+    /// Measures how forces change the conserved quantities in a run of so many steps.
+    fn balances(
+        &self,
+        py: Python<'_>,
+        setting: Setting,
+        steps: u64,
+    ) -> PyResult<Vec<BalanceNumbers>> {
+        let model = self.model(setting.1)?;
+        self.following(&model, &setting)?.balances(py, steps)
     }
 
     /// Returns the states at times in the order of the run, as rows.

@@ -122,6 +122,17 @@ pub trait Model: SystemScales + fmt::Debug + Send + Sync {
         x.push(time);
     }
 
+    /// Returns the rates at which forces change the [conserved quantities](Self::conserved) at a time and a momentum; `None` of a
+    /// motion without forces, and of one with noise, which has no rates.
+    fn supplied_rates(&self, _time: f64, _momentum: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+
+    /// Returns the first time after a time, or before it, at which a force is not smooth.
+    fn next_break(&self, _time: f64, _forward: bool) -> Option<f64> {
+        None
+    }
+
     /// Returns what turns attitudes of the motion from a start to those in the axes of the users.
     fn present_attitude(&self, _start: &[f64]) -> Box<dyn Fn(Quaternion) -> Quaternion + '_> {
         Box::new(|attitude| attitude)

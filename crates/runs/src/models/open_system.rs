@@ -53,6 +53,15 @@ impl Model for OpenSystem {
         self.terms().inputs.append(time, x);
     }
 
+    fn supplied_rates(&self, time: f64, momentum: &[f64]) -> Option<Vec<f64>> {
+        let has_rates = self.terms().noise.is_none();
+        has_rates.then(|| self.supplied_rates(momentum, time).ok()).flatten()
+    }
+
+    fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        self.next_break(time, forward)
+    }
+
     fn formula(&self, conserved: &str) -> Option<String> {
         match (conserved, &self.terms().hamiltonian) {
             ("h", Some(hamiltonian)) => Some(hamiltonian.to_string()),

@@ -31,13 +31,16 @@ impl Conserved for Quantities<'_> {
 
     fn append(&self, time: f64, momentum: &[f64], values: &mut Vec<f64>) {
         let (pi, gamma) = momentum.split_at_checked(3).unwrap_or_default();
-        let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum();
         values.extend([self.0.energy(momentum, time), dot(gamma, gamma), dot(pi, gamma)]);
     }
 
     fn without_value(&self, time: f64, momentum: &[f64]) -> String {
         format!("a conserved quantity has no finite value; h is {}", self.0.energy(momentum, time))
     }
+}
+
+fn dot(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| x * y).sum()
 }
 
 /// A rigid body about a support as an open system on se(3)∗, in the axes of the users. Its conserved quantities have the names of
@@ -115,6 +118,18 @@ impl Model for OpenTop {
 
     fn append_inputs(&self, time: f64, x: &mut Vec<f64>) {
         self.system.append_inputs(time, x);
+    }
+
+    fn supplied_rates(&self, time: f64, momentum: &[f64]) -> Option<Vec<f64>> {
+        let energy = *Model::supplied_rates(&self.system, time, momentum)?.first()?;
+        let rate = self.system.rate(momentum, time).ok()?;
+        let ((pi, gamma), (torque, turning)) =
+            (momentum.split_at_checked(3)?, rate.split_at_checked(3)?);
+        Some(vec![energy, 2.0 * dot(gamma, turning), dot(torque, gamma) + dot(pi, turning)])
+    }
+
+    fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        self.system.next_break(time, forward)
     }
 
     fn descends(&self, method: &Method, _start: &[f64]) -> Result<bool, RunFailure> {

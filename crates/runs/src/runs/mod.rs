@@ -6,5 +6,6 @@ pub(crate) mod pace;
 pub(crate) mod path_ensemble;
 pub(crate) mod moment;
 pub(crate) mod experiment;
+mod balances;
 pub(crate) mod events;
 pub(crate) mod tangent_growth;

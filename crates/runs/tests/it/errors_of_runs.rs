@@ -144,6 +144,10 @@ fn every_error_names_what_is_wrong() {
         (followed(&no_value, None), "at t = "),
         (no_event(), "ln(Gamma1*Gamma1 - 0.3) has no value at t = "),
         (lost(), "tangent vector"),
+        (
+            run.balances(&|| true).unwrap_err(),
+            "a drive, damping, a torque or the time in its energy",
+        ),
         (paths(1, 1), "2 paths or more, got 1"),
         (paths(2, 1_000_000), "2000000 are the most"),
         (paths(2, 1), "path 0"),

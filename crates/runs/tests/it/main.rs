@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod arrays;
+mod balances_of_runs;
 #[cfg(feature = "contests")]
 mod contests;
 #[cfg(feature = "contests")]

@@ -1,6 +1,7 @@
 //! The summary of a run, which `heavytop simulate --json` prints.
 
 use super::checkpoints::checkpoint::Checkpoint;
+use super::run_balance::RunBalance;
 use crate::errors::Error;
 use crate::files::place::shown;
 use crate::formats::RunTable;
@@ -51,6 +52,9 @@ pub struct RunSummary {
     /// The result of a check of the whole run, if it was asked for.
     #[serde(flatten)]
     pub check: Option<RunCheck>,
+    /// What the forces supplied to the conserved quantities, if that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub balance: Option<RunBalance>,
 }
 
 impl RunSummary {
@@ -84,7 +88,15 @@ impl RunSummary {
             noise: run.model.noise().map(|(seed, path)| NoisePath { seed, path }),
             error_estimate: None,
             check: None,
+            balance: None,
         }
+    }
+
+    /// Returns whether a request to stop has come between the run and a measure of it.
+    #[must_use]
+    pub fn was_interrupted(&self) -> bool {
+        self.check.is_some_and(|check| check.was_interrupted())
+            || self.balance.as_ref().is_some_and(RunBalance::was_interrupted)
     }
 }
 
@@ -108,6 +120,9 @@ impl fmt::Display for RunSummary {
         if !self.changes.is_empty() {
             write!(to, "; largest changes, of what the motion does not keep,")?;
             write_deviations(to, &self.changes)?;
+        }
+        if let Some(balance) = &self.balance {
+            balance.write(to, |name| self.changes.contains_key(name))?;
         }
         let what = if self.noise.is_some() { "this path" } else { "the state" };
         write_accuracy(to, (self.error_estimate, what), self.check.as_ref())?;

@@ -3,6 +3,7 @@
 use super::checkpoints::checkpoint::Checkpoint;
 use super::recording::{RecordedRun, Recording};
 use super::renewal::Renewal;
+use super::run_balance::RunBalance;
 use super::run_summary::{Described, Deviations, RunSummary};
 use super::simulate_options::SimulateOptions;
 use crate::configuration::Config;
@@ -66,6 +67,9 @@ pub fn simulate(
     let casimirs = formulas.filter_map(|(_, text)| text.as_str().map(String::from)).collect();
     let (dimension, resumable_after) = (run.dimension()?, run.model.resumable_after());
     let recorded = RecordedRun { pace, dimension, resumable_after, table: &table, casimirs };
+    if options.measures.balance {
+        run.model.require_balance(&run.start)?;
+    }
     let mut recording = Recording::begin(out, &config, &recorded, options)?;
     let accuracy = options.estimated(|going| Ok(run.accuracy(going)?))?;
     recording.add_estimate(accuracy.error);
@@ -93,10 +97,12 @@ pub fn simulate(
     run.model.warning_of_end(&run.start, end).into_iter().for_each(warn);
     recording.conclude(outcome)?;
     let check = || RunCheck::of(run.compared(&|| options.going())?, &run.method);
-    let check = options.check.then(check).transpose()?;
+    let check = options.measures.check.then(check).transpose()?;
     check.and_then(|check| check.warning(&accuracy)).into_iter().for_each(warn);
     let checked = check.and_then(|check| check.error);
     let error_estimate = accuracy.error.into_iter().chain(checked).reduce(larger);
+    let balance = || Ok::<_, Error>(RunBalance::of(run.balances(&|| options.going())?));
+    let balance = options.measures.balance.then(balance).transpose()?;
     let summary = RunSummary::new(out.into(), run, &last, &deviations, &table);
-    Ok(RunSummary { described, error_estimate, check, ..summary })
+    Ok(RunSummary { described, error_estimate, check, balance, ..summary })
 }

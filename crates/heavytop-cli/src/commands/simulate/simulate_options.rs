@@ -8,7 +8,16 @@ use crate::supervision::tiled_run::RESUME;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// The options of a run: checkpoints, requests to stop, a check, and progress.
+/// What is measured of a whole run, once it is complete, by more of its steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Measures {
+    /// Whether to check it by runs with half the step and with twice the step.
+    pub check: bool,
+    /// Whether to measure what forces supply to the conserved quantities.
+    pub balance: bool,
+}
+
+/// The options of a run: checkpoints, requests to stop, measures, and progress.
 #[derive(Clone, Copy, Debug)]
 pub struct SimulateOptions<'a> {
     /// The checkpoint to continue from.
@@ -19,8 +28,8 @@ pub struct SimulateOptions<'a> {
     pub interval: Duration,
     /// The request to stop: once it is true, the run ends with a checkpoint.
     pub stop: Option<&'a AtomicBool>,
-    /// Whether to check the whole run by runs with half the step and with twice the step.
-    pub check: bool,
+    /// What is measured of the whole run, once it is complete.
+    pub measures: Measures,
     /// Whether to show no progress bar.
     pub quiet: bool,
     /// The files that the output, and what is written on the way to it, must not replace.
@@ -61,7 +70,7 @@ impl Default for SimulateOptions<'_> {
             restart: false,
             interval,
             stop: None,
-            check: false,
+            measures: Measures::default(),
             quiet: true,
             safeguard,
         }

@@ -57,7 +57,10 @@ long run, and three times that of one of some thousand steps; the guide,
 docs/guide/which-integrator.md, says more. There is a warning if a step turns the motion by more
 than 1 rad, or if the estimate is above 1e-3; a step that turns it by more than 100 rad from the
 start is refused. --check makes the whole run again with half the step and with twice the step, and
-says the error at its end and the order, for three and a half times the time.
+says the error at its end and the order, for three and a half times the time. Where forces change
+conserved quantities that is no error: --balance says how much of the change they supply, by
+quadrature of ⟨dC, F⟩ along the run, and for the energy of ⟨F, dh⟩ + ∂h/∂t, and how much the method
+adds, for nine times the time of the run; balance in the summary, with change, supplied and defect.
 
 Before a run that needs more room than the disk has, or more than 100 GB, there is a question. Where
 nobody can be asked, since stdin or stderr is no terminal, it is refused; --yes answers the
@@ -295,6 +298,7 @@ Examples:
   heavytop simulate top.toml --out top.csv --dry-run               # rows, size and time only
   heavytop simulate top.toml --out top.csv --json                  # a summary on stdout
   heavytop simulate top.toml --out top.csv --check                 # its error and order, too
+  heavytop simulate braked.toml --out braked.csv --balance         # what the forces supply
   heavytop simulate top.toml --out - | gzip > top.csv.gz           # to standard output, in CSV";
 
 pub(crate) const ANIMATE: &str = "\

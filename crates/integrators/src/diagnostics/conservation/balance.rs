@@ -73,21 +73,56 @@ impl Balance {
         quantity: impl Fn(&I::Momentum) -> f64,
         rate: impl Fn(&I::Momentum) -> f64,
     ) -> Result<Self, IntegrationError> {
+        let (quantities, rates) = (|mu: &_| vec![quantity(mu)], |mu: &_| vec![rate(mu)]);
+        let whole = |_| Some(vec![1.0]);
+        let found = Self::all_of_run(integrator, start, (step, steps), (quantities, rates), whole)?;
+        let found = found.and_then(|all| all.first().copied());
+        Ok(found.unwrap_or(Self::NONE))
+    }
+
+    /// The balance of no step.
+    const NONE: Self = Self { change: 0.0, supplied: 0.0, defect: 0.0 };
+
+    /// Measures the balances of several quantities, as [`of_run`](Self::of_run) does that of one. Before each step `smooth` is told how
+    /// many have been made, and returns the ends of the parts in which the rates are smooth, as fractions of the step, of which 1 is
+    /// the last; or `None` to end the measurement, which is then without a result.
+    ///
+    /// # Errors
+    /// As [`of_run`](Self::of_run).
+    pub fn all_of_run<I: Integrator>(
+        integrator: &I,
+        start: I::State,
+        (step, steps): (f64, u64),
+        (quantities, rates): (impl Fn(&I::Momentum) -> Vec<f64>, impl Fn(&I::Momentum) -> Vec<f64>),
+        mut smooth: impl FnMut(u64) -> Option<Vec<f64>>,
+    ) -> Result<Option<Vec<Self>>, IntegrationError> {
         let (mut workspace, mut parts) = (integrator.workspace(), integrator.workspace());
-        let first = quantity(&integrator.momentum(&start));
-        let (mut balance, mut state) = (Self { change: 0.0, supplied: 0.0, defect: 0.0 }, start);
+        let first = quantities(&integrator.momentum(&start));
+        let (mut balances, mut state) = (vec![Self::NONE; first.len()], start);
         for made in 0..steps {
             let failed = |source| IntegrationError::after(made, step, source);
-            for (part, weight) in nodes() {
-                integrator.forget(&mut parts);
-                let within = integrator.step(&state, part * step, &mut parts).map_err(failed)?;
-                balance.supplied += step * weight * rate(&integrator.momentum(&within.point));
+            let Some(ends) = smooth(made) else { return Ok(None) };
+            let begins = core::iter::once(0.0).chain(ends.iter().copied());
+            for (begin, end) in begins.zip(&ends) {
+                let length = end - begin;
+                for (node, weight) in nodes() {
+                    integrator.forget(&mut parts);
+                    let part = (begin + node * length) * step;
+                    let within = integrator.step(&state, part, &mut parts).map_err(failed)?;
+                    let rates = rates(&integrator.momentum(&within.point));
+                    for (balance, rate) in balances.iter_mut().zip(rates) {
+                        balance.supplied += step * length * weight * rate;
+                    }
+                }
             }
             integrator.step_in_place(&mut state, step, &mut workspace).map_err(failed)?;
-            balance.change = quantity(&integrator.momentum(&state)) - first;
-            balance.defect = larger(balance.defect, (balance.change - balance.supplied).abs());
+            let now = quantities(&integrator.momentum(&state));
+            for ((balance, now), first) in balances.iter_mut().zip(now).zip(&first) {
+                balance.change = now - first;
+                balance.defect = larger(balance.defect, (balance.change - balance.supplied).abs());
+            }
         }
-        Ok(balance)
+        Ok(Some(balances))
     }
 }
 

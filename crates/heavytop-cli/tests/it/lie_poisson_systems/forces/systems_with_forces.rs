@@ -53,6 +53,36 @@ fn a_damped_spin_turns_into_the_field_and_its_energy_is_no_error() {
     assert!(row[3].abs() < 1e-13 && !told.contains("does not keep"), "{told}");
 }
 
+/// Friction takes 2 tanh 1 from h in ten units of time, to which the method adds rounding errors.
+#[test]
+fn a_balance_tells_what_the_forces_supply() {
+    let folder = Folder::new();
+    let damped = format!("{SPIN}[damping]\nfriction = 0.05\n");
+    let (told, _) = last(&folder, &damped, &[]);
+    assert!(!told.contains("supply"), "{told}");
+    let whole = folder.read("a.csv");
+    let (told, _) = last(&folder, &damped, &["--balance"]);
+    assert!(told.contains("the forces supply -1.523e0 to h, the method "), "{told}");
+    assert!(!told.contains("to c1") && folder.read("a.csv") == whole);
+    let done = folder.heavytop(&["simulate", "a.toml", "--out", "b.csv", "--json", "--balance"]);
+    let summary: serde_json::Value = serde_json::from_str(&done.stdout()).unwrap();
+    let of = |name: &str, part: &str| summary["balance"][name][part].as_f64().unwrap();
+    let lost = -2.0 * 1.0_f64.tanh();
+    // A hundred steps of order 8, and their rounding errors.
+    assert!((of("h", "change") - lost).abs() < 1e-11 && (of("h", "supplied") - lost).abs() < 1e-11);
+    assert!(of("h", "defect") < 1e-11 && of("c1", "defect") < 1e-13, "{summary}");
+    for other in ["", "[damping]\nfriction = 1\n[noise]\ntemperature = 1\n"] {
+        folder.write("c.toml", &format!("{SPIN}{other}"));
+        let done = folder.heavytop(&["simulate", "c.toml", "--out", "c.csv", "--balance"]);
+        let told = done.stderr();
+        assert!(
+            done.code() == 2 && told.contains("a balance is of a top or a system by formula"),
+            "{told}"
+        );
+        assert!(!folder.path("c.csv").exists());
+    }
+}
+
 /// In the rotating frame the spin of a field B e₃ + b (cos Bt, −sin Bt, 0) turns about the field b e₁: Rabi's resonance.
 #[test]
 fn time_in_a_formula_is_the_time() {
