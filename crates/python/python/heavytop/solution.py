@@ -184,7 +184,7 @@ class Solution:
             >>> from heavytop import System
             >>> ball = System("so(3)", "|Pi|^2/4", torque=lambda x: -0.1 * x.Pi)
             >>> h = ball.solve([0.6, 0, 0.8], step=0.1, end=5).balance()["h"]
-            >>> abs(h.supplied - 0.25 * np.expm1(-1)) < 1e-12, h.defect < 1e-12
+            >>> bool(abs(h.supplied - 0.25 * np.expm1(-1)) < 1e-12), h.defect < 1e-12
             (True, True)
         """
         steps, native = self._run.whole_steps(self.t), self._run.native
