@@ -34,7 +34,8 @@ fn run(
         .torque
         .map(|texts| texts.iter().map(|text| names.formula("torque", text).unwrap()).collect());
     let inner_product = names.inner_product(None).unwrap();
-    let damping = forces.friction.map(|friction| Damping { friction, inner_product });
+    let damping =
+        forces.friction.map(|friction| Damping::DoubleBracket { friction, inner_product });
     let terms = OpenTerms { inputs, hamiltonian, damping, torque, ..OpenTerms::default() };
     let model = OpenSystem::new(base.with_found_casimirs().unwrap(), terms, step).unwrap();
     let (formulation, scheme) = (formulation.parse().unwrap(), scheme.parse().unwrap());
