@@ -52,7 +52,11 @@ def test_a_class_takes_forces(system, given, start):
     assert np.array_equal(noisy[0].y, noisy[1].y) and not np.array_equal(noisy[0].y, noisy[2].y)
     name = system(*given).coordinates[0]
     pushed = system(*given, inputs={"u": ([0, 0.5, 1], [0, 0.1, 0], "linear")}, torque={name: "u"})
-    assert pushed.kept == () and np.abs(pushed.solve(start, step=0.02, end=1).y[:, -1] - alone.y[:, -1]).max() > 1e-3
+    # A torque changes h and the Casimirs of its coordinate, and no other ones.
+    run = pushed.solve(start, step=0.02, end=1)
+    assert "h" not in pushed.kept and all(run.deviation(kept) < 1e-13 for kept in pushed.kept)
+    assert all(run.deviation(other) > 1e-6 for other in set(pushed.invariants) - set(pushed.kept))
+    assert np.abs(run.y[:, -1] - alone.y[:, -1]).max() > 1e-3
     with pytest.raises(TypeError, match="friction"):
         system(*given, friction=0.1)
     with pytest.raises(ValueError, match="a kind has its algebra"):
@@ -311,6 +315,7 @@ def test_motors_move_momentum_between_body_and_wheels():
     body = heavytop.ReactionWheels(*WHEELS, motors=motors)
     start = {"Omega": [0.3, 0.5, -0.2], "speeds": [0, 20]}
     run = body.solve(start, step=0.1, end=8)
+    assert body.kept == ("c3",) and body.casimirs["c3"] == "|Pi|^2"
     assert np.allclose(body.angular_velocity(run.y)[:, 0], start["Omega"], atol=1e-15)
     assert np.allclose(body.speeds(run.y[:, 0]), start["speeds"], atol=1e-13)
     gained = run.y[3:, -1] - run.y[3:, 0]

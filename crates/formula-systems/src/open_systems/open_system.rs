@@ -1,9 +1,10 @@
 //! A system by formula that is open: [`OpenSystem`].
 
 use super::open_terms::OpenTerms;
-use crate::casimirs::casimir::ScalarFunction;
+use crate::casimirs::casimir::{Casimir, ScalarFunction};
 use crate::error::FormulaSystemError;
 use crate::open_system_error::OpenSystemError;
+use crate::realisations::generic_point::generic;
 use crate::systems::formula_system::FormulaSystem;
 use collective_integrators::BrownianPaths;
 use lie_poisson::DualNumber;
@@ -183,7 +184,24 @@ impl OpenSystem {
             && torque.is_none()
     }
 
-    /// Returns whether the Casimirs are constant along the motion.
+    /// Returns whether a Casimir is constant along the motion: without a torque, or if the torque is 0 in all coordinates on which the
+    /// Casimir depends, such as that of the motors of wheels for |Π|².
+    #[must_use]
+    pub fn keeps_casimir(&self, casimir: &Casimir) -> bool {
+        let Some(torque) = &self.terms.torque else { return true };
+        let is_zero = |torque: &Formula| {
+            torque.linear_form().is_some_and(|slopes| slopes.iter().all(|slope| *slope == 0.0))
+        };
+        let acts: Vec<bool> = torque.iter().map(|torque| !is_zero(torque)).collect();
+        // At points in general a polynomial has the derivative 0 along the coordinates that it does not have.
+        (0..2).all(|sample| {
+            let at = generic(acts.len(), sample);
+            let slopes = casimir.differential_at(at.as_slice());
+            acts.iter().zip(slopes).all(|(acts, slope)| !acts || slope == 0.0)
+        })
+    }
+
+    /// Returns whether all Casimirs are constant along the motion, whatever they are.
     #[must_use]
     pub const fn keeps_casimirs(&self) -> bool {
         self.terms.torque.is_none()

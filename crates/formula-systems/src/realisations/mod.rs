@@ -1,6 +1,6 @@
 //! Realisations: quadratic momenta on R²ᵐ, what they obey, and the collective integrator that they make.
 
-mod generic_point;
+pub(crate) mod generic_point;
 mod odd_powers;
 pub(crate) mod quadratic_momenta;
 pub(crate) mod verdict;

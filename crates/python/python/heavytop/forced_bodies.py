@@ -74,7 +74,7 @@ class DrivenTop(System):
     ) -> None:
         if len(motor) != 3:
             raise ValueError(f"motor must have 3 numbers or formulas, got {len(motor)}")
-        parameters = {
+        parameters: dict[str, ArrayLike] = {
             "I": numbers("inertia", inertia),
             "weight_moment": real("weight_moment", weight_moment),
             "center_of_mass": array("center_of_mass", center_of_mass),

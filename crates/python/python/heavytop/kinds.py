@@ -124,9 +124,9 @@ class Satellite(System):
 
     In the frame of the body, Pi is the angular momentum against the stars, Gamma_1 the direction from the centre of attraction to
     the satellite, and Gamma_2 the normal of the orbit. h is Jacobi's integral on a circle. On an ellipse it depends on the time, and
-    formulas may name the rate and the tide of the orbit, orbit_rate (rad/s) and orbit_tide = GM/r^3 (1/s^2). A start is given by them, or by angles in radians and
-    the angular velocity against the orbit: `{"roll": 0.1, "pitch": 0.2, "yaw": 0, "relative": [0, 0, 0]}`, of which each may be left
-    out. Without turns, the axes of the body are along the velocity, the normal and the radius.
+    formulas may name the rate and the tide of the orbit, orbit_rate (rad/s) and orbit_tide = GM/r^3 (1/s^2). A start is given by
+    the coordinates, or by angles in radians and the angular velocity against the orbit: `{"roll": 0.1, "pitch": 0.2, "yaw": 0,
+    "relative": [0, 0, 0]}`, of which each may be left out. Without turns, the axes of the body are along the velocity, the normal and the radius.
 
     Args:
         moments: the three principal moments, kg m^2.

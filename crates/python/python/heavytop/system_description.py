@@ -132,7 +132,8 @@ class SystemDescription:
 
     @property
     def kept(self) -> tuple[str, ...]:
-        """The symbols of those that the motion keeps. A drive, damping or noise changes h, and a torque the Casimirs, too."""
+        """The symbols of those that the motion keeps. A drive, damping or noise changes h, and a torque the Casimirs of the coordinates
+        on which it acts, too."""
         return tuple(symbol for symbol, is_kept in zip(self.invariants, self._system.kept) if is_kept)
 
     @property

@@ -86,9 +86,11 @@ impl Conserved for Quantities<'_> {
     }
 
     fn is_kept(&self, name: &str) -> bool {
-        match name {
-            "h" => self.system.keeps_energy(),
-            _ => self.system.keeps_casimirs(),
+        // The energy comes first.
+        let casimir = self.names.iter().skip(1).position(|own| own == name);
+        match casimir.and_then(|number| self.system.base().casimirs().get(number)) {
+            Some(casimir) => self.system.keeps_casimir(casimir),
+            None => self.system.keeps_energy(),
         }
     }
 

@@ -62,6 +62,21 @@ fn a_motor_exchanges_momentum_with_the_body() {
     let expected = [0.0, 1.05, 0.0, 0.05 + 0.2 * 5.0, 0.0];
     // The motion is linear in the time, so that each step is exact.
     assert!(distance(&end, &expected) < 1e-14, "{end:?}");
+    // Motors change the l, of which the second one has none here, and keep |Π|²; a torque on the body changes that.
+    let casimirs = body.base().casimirs();
+    let texts: Vec<String> = casimirs.iter().map(ToString::to_string).collect();
+    assert_eq!(texts, ["l1", "l2", "|Pi|^2"]);
+    let kept = |body: &OpenSystem| -> Vec<bool> {
+        casimirs.iter().map(|casimir| body.keeps_casimir(casimir)).collect()
+    };
+    assert_eq!(kept(&body), [false, true, true]);
+    assert!(!body.keeps_casimirs());
+    let pushed = OpenTerms {
+        torque: body.terms().torque.clone().map(|all| all.into_iter().rev().collect()),
+        ..body.terms().clone()
+    };
+    let pushed = OpenSystem::new(body.base().clone(), pushed, 0.1).unwrap();
+    assert_eq!(kept(&pushed), [true, true, false]);
     // The body has come to rest: (1.05 − 1.05)/I₂.
     assert!((end[1] - end[3]).abs() < 1e-14);
     // The speed of a wheel against the body is one of a start, too.
