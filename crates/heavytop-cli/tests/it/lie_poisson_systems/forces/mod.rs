@@ -3,7 +3,7 @@
 mod systems_with_forces;
 mod tops_with_forces;
 mod arrays;
-mod gilbert_damping_by_name;
+mod forms_of_damping;
 mod sweeps_with_forces;
 mod refused_forces;
 mod begun_with_forces;
