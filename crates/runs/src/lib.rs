@@ -41,6 +41,7 @@
 //! | the rows of a run one by one | [`Experiment`] |
 //! | where functions of the momentum and the time are zero along a run | [`EventFunctions`], [`TimedIntegrator`] |
 //! | means, deviations and quantiles over many paths of a motion with noise | [`PathEnsemble`], [`PathRow`], [`PathStatistics`] |
+//! | what forces supply to the conserved quantities along a run, and what the method adds | [`Experiment::balances`] |
 //! | equal steps to an end, and which of them are written | [`Schedule`], [`Pace`] |
 //! | how tangent vectors grow: Lyapunov exponent, MEGNO, alignment | [`TangentGrowth`] |
 //! | to refuse steps that turn a motion absurdly far | [`step_angle`] |

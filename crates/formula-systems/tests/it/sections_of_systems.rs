@@ -292,3 +292,36 @@ fn axes_are_the_free_coordinates_or_formulas() {
     let lost = other.starts(&state, &levels, 1, 0);
     assert!(matches!(lost, Err(FormulaSystemError::Level { .. })));
 }
+
+/// Starts of motions with forces are on the orbit of the first, in all units, also where it is one of two sheets.
+#[test]
+fn states_of_an_orbit_have_its_casimirs() {
+    let mut refused = Vec::new();
+    for (algebra, h, state) in [
+        ("se(3)", BODY, &[1.0, 0.5, 0.3, 0.6, 0.0, 0.8][..]),
+        ("so(3)^2", "|Pi_1|^2", &[1.0, 0.5, 0.3, 0.6, 0.0, 0.8]),
+        ("sl(2)", "alpha^2 + beta^2", &[0.3, 0.5, -0.7]),
+    ] {
+        let system = system(SystemAlgebra::named(algebra).unwrap(), h);
+        for unit in [1.0, 1e-20, 1e20] {
+            let state: Vec<f64> = state.iter().map(|x| x * unit).collect();
+            let casimirs = |state: &[f64]| system.invariants(state).unwrap()[1..].to_vec();
+            let states = system.orbit_states(&state, 8, 3).unwrap();
+            assert_eq!((states.len(), &states[0]), (8, &state));
+            for other in &states {
+                let size: f64 = other.iter().map(|x| x * x).sum();
+                for (value, level) in casimirs(other).iter().zip(casimirs(&state)) {
+                    assert!((value - level).abs() < 1e-13 * size, "{algebra}: {value} {level}");
+                }
+            }
+            let apart =
+                |a: &[f64], b: &[f64]| a.iter().zip(b).any(|(a, b)| (a - b).abs() > 1e-3 * unit);
+            assert!(states.windows(2).all(|pair| apart(&pair[0], &pair[1])), "{algebra}");
+            assert_eq!(system.orbit_states(&state, 3, 3).unwrap(), states[..3]);
+            assert_ne!(system.orbit_states(&state, 3, 4).unwrap(), states[..3]);
+        }
+        refused.extend(system.orbit_states(&[1.0], 2, 0).err());
+    }
+    assert_eq!(refused.len(), 3);
+    assert!(refused.iter().all(|e| matches!(e, FormulaSystemError::StateLength { found: 1, .. })));
+}
