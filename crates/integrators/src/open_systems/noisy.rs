@@ -45,7 +45,8 @@ pub type PathAndTime<T> = Pair<PathNumber<T>, Time<T>>;
 /// σ√h = 0.53, where the first failure came after two million, and once in 10¹⁸ for σ√h = ⅓.
 /// So take σ√h ≤ ⅓, and steps in which the motion itself turns by half a radian at most. Means have errors of a few per cent
 /// there, which are proportional to h. To cut the increments at two or three standard deviations does not make longer steps
-/// safe, since many directions add up.
+/// safe, since many directions add up. If constant fields act one after the other, their flows are exact for turns of any size, and only
+/// the drift has stages.
 ///
 /// Sources: Milstein, Repin & Tretyakov, SIAM J. Numer. Anal. 40 (2002); Luesink, Ephrati, Cifani & Geurts, *Casimir preserving
 /// stochastic Lie–Poisson integrators*, Adv. Contin. Discrete Models (2024).
