@@ -60,6 +60,32 @@ fn every_link_leads_to_a_file() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Returns the paths that a page names, from the root of the repository.
+fn named_paths(page: &str) -> impl Iterator<Item = &str> {
+    let is_path = |text: &&str| {
+        let folders = ["crates/", "tests/", "benches/", "docs/"];
+        folders.iter().any(|folder| text.starts_with(folder))
+            && !text.contains(|c: char| c.is_whitespace() || "*{<".contains(c))
+    };
+    page.split('`').skip(1).step_by(2).filter(is_path)
+}
+
+#[test]
+fn every_file_that_a_page_names_is_there() -> Result<(), Box<dyn Error>> {
+    let mut count = 0;
+    for page in pages(&root().join("docs"))? {
+        for path in named_paths(&fs::read_to_string(&page)?) {
+            assert!(root().join(path).exists(), "{}: there is no {path}", page.display());
+            count += 1;
+        }
+    }
+    assert!(count > 200, "{count}");
+    // Control: paths are seen, and commands and patterns are not taken for them.
+    let page = "`crates/a/b.rs` and `cargo test`, `tests/*.rs`, `docs/c.md`";
+    assert_eq!(named_paths(page).collect::<Vec<_>>(), ["crates/a/b.rs", "docs/c.md"]);
+    Ok(())
+}
+
 #[test]
 fn every_chapter_is_in_the_book_and_runs() -> Result<(), Box<dyn Error>> {
     let book = targets(&fs::read_to_string(root().join("docs/SUMMARY.md"))?);
