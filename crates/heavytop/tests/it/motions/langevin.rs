@@ -5,8 +5,8 @@ use collective_integrators::{
 };
 use heavytop::{Body, HeavyTop, SpinorRealisation};
 use lie_poisson::{
-    Autonomous, Covector, DoubleBracket, InnerProduct, IsotropicNoise, LiePoisson, Pair,
-    PathNumber, Se3, Time, Vector,
+    Autonomous, Covector, DoubleBracket, InnerProduct, IsotropicNoise, LiePoisson, OrbitField,
+    Pair, PathNumber, PoissonSpace, Se3, Time, Vector,
 };
 use momentum_map::DualQuaternions;
 use nalgebra::Vector3;
@@ -15,24 +15,38 @@ const FRICTION: f64 = 0.7;
 const TEMPERATURE: f64 = 0.8;
 const STEP: f64 = 0.05;
 
+const INERTIA: Vector3<f64> = Vector3::new(2.0, 1.5, 1.0);
+const CENTRE: Vector3<f64> = Vector3::new(0.6, 0.0, 0.8);
+
+/// f₁ = |Γ|² = 1, f₂ = Π·Γ = 0.3
+const START: Covector<Pair<Vector3<f64>, Vector3<f64>>> =
+    Covector(Pair(Vector3::new(0.5, 0.2, 0.3), Vector3::new(0.0, 0.0, 1.0)));
+
+/// The top with friction.
+fn damped() -> DoubleBracket<LiePoisson<Se3>, Autonomous<HeavyTop>> {
+    let body =
+        Body { inertia: INERTIA, mass: 1.0, gravity: 1.0, length: 1.0, center_of_mass: CENTRE };
+    let (top, space) = (HeavyTop::new(&body).unwrap(), LiePoisson::minus(Se3::default()));
+    DoubleBracket::new(space, Autonomous(top), FRICTION, InnerProduct::euclidean()).unwrap()
+}
+
+/// Returns ½Π·Ω, Γ·c, (Γ·c)² and Π₃².
+fn measured(pi: &Vector3<f64>, gamma: &Vector3<f64>) -> [f64; 4] {
+    let height = gamma.dot(&CENTRE);
+    [0.5 * pi.component_div(&INERTIA).dot(pi), height, height * height, pi.z * pi.z]
+}
+
 /// Returns the means of ½Π·Ω, Γ·c, (Γ·c)² and Π₃² over a path after it has forgotten its start, with standard errors from
 /// blocks that are much longer than the memory of the motion; and the largest changes of |Γ|² and Π·Γ.
 fn means(steps: u64) -> ([(f64, f64); 4], [f64; 2]) {
     const BLOCKS: u64 = 50;
-    let (inertia, centre) = (Vector3::new(2.0, 1.5, 1.0), Vector3::new(0.6, 0.0, 0.8));
-    let body = Body { inertia, mass: 1.0, gravity: 1.0, length: 1.0, center_of_mass: centre };
-    let top = HeavyTop::new(&body).unwrap();
     let inner_product = InnerProduct::euclidean();
-    let noise = IsotropicNoise::thermal(inner_product.clone(), (FRICTION, TEMPERATURE)).unwrap();
-    let space = LiePoisson::minus(Se3::default());
-    let field = DoubleBracket::new(space, Autonomous(top), FRICTION, inner_product).unwrap();
+    let noise = IsotropicNoise::thermal(inner_product, (FRICTION, TEMPERATURE)).unwrap();
     let paths = BrownianPaths::new(2, STEP).unwrap();
     let scheme = RungeKutta::implicit_midpoint();
-    let langevin = Noisy::new(scheme, SpinorRealisation, field, noise, paths);
-    // f₁ = |Γ|² = 1, f₂ = Π·Γ = 0.3
-    let start = Covector(Pair(Vector3::new(0.5, 0.2, 0.3), Vector3::new(0.0, 0.0, 1.0)));
+    let langevin = Noisy::new(scheme, SpinorRealisation, damped(), noise, paths);
     let clock = Pair(PathNumber(1.0), Time(0.0));
-    let mut state = langevin.start(&Pair(start, clock)).unwrap();
+    let mut state = langevin.start(&Pair(START, clock)).unwrap();
     let (mut workspace, mut blocks, mut lost) = (langevin.workspace(), Vec::new(), [0.0_f64; 2]);
     let length = steps / (BLOCKS + 10);
     for block in 0..BLOCKS + 10 {
@@ -40,10 +54,7 @@ fn means(steps: u64) -> ([(f64, f64); 4], [f64; 2]) {
         for made in (block * length..).take(length as usize) {
             langevin.advance(&mut state, STEP, made..made + 1, &mut workspace).unwrap();
             let Pair(Covector(Pair(pi, gamma)), _) = langevin.momentum(&state);
-            let height = gamma.dot(&centre);
-            let kinetic = 0.5 * pi.component_div(&inertia).dot(&pi);
-            let found = [kinetic, height, height * height, pi.z * pi.z];
-            sums.iter_mut().zip(found).for_each(|(sum, x)| *sum += x);
+            sums.iter_mut().zip(measured(&pi, &gamma)).for_each(|(sum, x)| *sum += x);
             let casimirs = [gamma.norm_squared() - 1.0, pi.dot(&gamma) - 0.3];
             lost.iter_mut().zip(casimirs).for_each(|(lost, x)| *lost = lost.max(x.abs()));
         }
@@ -117,4 +128,34 @@ fn a_heavy_top_has_the_means_of_gibbs_on_its_orbit() {
 #[ignore = "takes a minute"]
 fn many_times_a_heavy_top_has_the_means_of_gibbs() {
     require_gibbs(2_000_000, 4e-3);
+}
+
+/// Control: steps of Euler and Maruyama of Itô's equation, of the same size and scaled back to the orbit, have no means: the friction,
+/// which grows as Π², throws them out. Their drift has ½σ² Σ_k Λ(Λ(μ)e_k)e_k besides.
+#[test]
+#[ignore = "long"]
+fn steps_of_euler_and_maruyama_of_a_heavy_top_leave_every_bound() {
+    let (field, space) = (damped(), LiePoisson::minus(Se3::default()));
+    let strength = (2.0 * FRICTION * TEMPERATURE).sqrt();
+    let paths = BrownianPaths::new(2, STEP).unwrap();
+    let mut mu = START;
+    let grown = (0..40_000).position(|n| {
+        let mut noise = [0.0; 6];
+        paths.write_increments(1, f64::from(n), f64::from(n) + 1.0, &mut noise);
+        let along = |xi: &Pair<_, _>| space.hamiltonian_vector::<f64>(&mu, xi);
+        let mut change = along(&field.element(&mu, 0.0)).scaled(STEP);
+        for (k, increment) in noise.into_iter().enumerate() {
+            let e = Vector::basis(k);
+            let turn = along(&e);
+            change += turn.scaled(strength * increment);
+            let second = space.hamiltonian_vector::<f64>(&turn, &e);
+            change += second.scaled(0.5 * strength * strength * STEP);
+        }
+        let Covector(Pair(pi, gamma)) = mu + change;
+        let gamma = gamma.normalize();
+        mu = Covector(Pair(pi + gamma * (0.3 - pi.dot(&gamma)), gamma));
+        // In the measure exp(−h/kT) states with |Π| = 50 have the weight exp(−700).
+        mu.0.0.norm() > 50.0
+    });
+    assert!(grown.is_some(), "{mu:?}");
 }
