@@ -68,3 +68,40 @@ def test_wrong_bodies_are_refused():
         StochasticRigidBody([1, 1, 1], 1, np.nan)
     with pytest.raises(ValueError, match="friction"):
         StochasticRigidBody([1, 1, 1], -1, 1)
+
+
+def test_a_driven_top_takes_tables_as_motors():
+    table = ([0, 2, 4], [1, 0, 3], "linear")
+    setting = {"step": 0.01, "end": 4}
+    start = {"Pi": [0.1, 0.2, 1], "Gamma": [0.6, 0, 0.8]}
+    by_table = DrivenTop([0.3, 0.25, 0.2], 2, [0, 0, 1], 0.05, motor=[0, "0.2*cos(t)", table]).solve(start, **setting)
+    by_input = DrivenTop([0.3, 0.25, 0.2], 2, [0, 0, 1], 0.05, motor=[0, "0.2*cos(t)", "u"], inputs={"u": table}).solve(start, **setting)
+    assert np.array_equal(by_table.y, by_input.y)
+    # Control: another table.
+    other = DrivenTop([0.3, 0.25, 0.2], 2, [0, 0, 1], 0.05, motor=[0, "0.2*cos(t)", (*table[:2], "constant")]).solve(start, **setting)
+    assert np.abs(other.y - by_input.y).max() > 0.1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (([1, 1, 1], 1, [0, 0, 2], 0), "center_of_mass must be a unit vector to within 1e-9, its length is 2.0"),
+        (([1, 1, 1], 1, [0, 1], 0), "center_of_mass must have three components"),
+        (([1, -1, 1], 1, [0, 0, 1], 0), r"inertia\[1\] must be positive, got -1.0"),
+        (([1, 1, 0], 1, [0, 0, 1], 0), r"inertia\[2\] must be positive, got 0.0"),
+        (([1, 1, 3], 1, [0, 0, 1], 0), "3"),
+        (([1, 1, 1], -1, [0, 0, 1], 0), "weight_moment must be 0 or a positive number, it is -1"),
+        (([1, 1, 1], 1, [0, 0, 1], 0, [0, 0, lambda x: x.Pi1]), r"motor\[2\] must be a number, a formula or a table, got <function"),
+        (([1, 1, 1], 1, [0, 0, 1], 0, lambda x: x.Pi), "motor must be three numbers, formulas or tables, got <function"),
+        (([1, 1, 1], 1, [0, 0, 1], 0, [0, 0, ([0, 1], [1], "linear")]), "motor_3"),
+    ],
+)
+def test_bodies_and_motors_that_are_none_are_refused(arguments, message):
+    with pytest.raises(ValueError, match=message):
+        DrivenTop(*arguments)
+
+
+def test_an_input_does_not_hide_behind_the_table_of_a_motor():
+    table = ([0, 1], [1, 1], "linear")
+    with pytest.raises(ValueError, match="inputs\\['motor_1'\\] has the name of the table of a motor"):
+        DrivenTop([1, 1, 1], 1, [0, 0, 1], 0, motor=[table, 0, 0], inputs={"motor_1": table})

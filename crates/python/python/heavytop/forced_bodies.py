@@ -7,8 +7,10 @@ from typing import Any, Union
 
 from numpy.typing import ArrayLike
 
-from .arguments import array, not_negative, numbers, real
+from . import _native
+from .arguments import not_negative, positive, real, vector
 from .kinds import RigidBody
+from .motors import Motor, formulas_of_motors
 from .system import System
 
 
@@ -46,11 +48,13 @@ class DrivenTop(System):
     the friction takes. Only |Gamma| is kept.
 
     Args:
-        inertia: the three moments about the support, kg m^2.
-        weight_moment: w = m g l, N m.
+        inertia: the three principal moments about the support, kg m^2, all of them positive, and none larger than the sum of the
+            other two.
+        weight_moment: w = m g l, N m, not negative.
         center_of_mass: the direction from the support, a unit vector.
         friction: k, N m s.
-        motor: M, N m, in the frame of the body: three numbers, or formulas of the coordinates, the time `t`, inputs and I1, I2, I3.
+        motor: M, N m, in the frame of the body: three numbers, formulas of the coordinates, the time `t`, inputs and I1, I2, I3, or
+            tables (times, values, "constant", "linear" or "cubic").
         forces: inputs, drive, damping and noise, as for `System`.
 
     Example:
@@ -69,17 +73,24 @@ class DrivenTop(System):
         weight_moment: float,
         center_of_mass: ArrayLike,
         friction: float,
-        motor: Sequence[Union[float, str]] = (0.0, 0.0, 0.0),
+        motor: Sequence[Motor] = (0.0, 0.0, 0.0),
         **forces: Any,
     ) -> None:
+        if callable(motor):
+            raise ValueError(f"motor must be three numbers, formulas or tables, got {motor!r}; write a function as torque of System")
         if len(motor) != 3:
             raise ValueError(f"motor must have 3 numbers or formulas, got {len(motor)}")
+        moments = [positive(f"inertia[{i}]", moment) for i, moment in enumerate(vector("inertia", inertia))]
+        weight, center = not_negative("weight_moment", weight_moment), vector("center_of_mass", center_of_mass)
+        # The top checks the moments and the direction.
+        _native.Top(moments, 1.0, weight, 1.0, center, False)
         parameters: dict[str, ArrayLike] = {
-            "I": numbers("inertia", inertia),
-            "weight_moment": real("weight_moment", weight_moment),
-            "center_of_mass": array("center_of_mass", center_of_mass),
+            "I": moments,
+            "weight_moment": weight,
+            "center_of_mass": center,
             "friction": not_negative("friction", friction),
         }
-        torque = [f"({force}) - friction*Pi{i}/I{i}" for i, force in enumerate(motor, 1)]
+        torques, forces = formulas_of_motors("motor", motor, forces)
+        torque = [f"({force}) - friction*Pi{i}/I{i}" for i, force in enumerate(torques, 1)]
         h = "sum(Pi[i]^2/I[i])/2 + weight_moment*(center_of_mass·Gamma)"
         super().__init__("se(3)", h, parameters=parameters, torque={"Pi": torque}, **forces)

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Optional, Union
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .arguments import numbers
+from .motors import Motor, formulas_of_motors
 from .solution import Floats
 from .system import System
-
-Motor = Union[float, str, tuple[ArrayLike, ArrayLike, str]]
-"""The torque of a motor on its wheel, N m: a number, a formula, or a table: times, values, and the interpolation between them."""
 
 
 class ReactionWheels(System):
@@ -49,9 +47,8 @@ class ReactionWheels(System):
         if motors is not None:
             if "torque" in forces:
                 raise ValueError("torque: write motors, or a torque on l, and not both")
-            tables = {f"motor_{k}": motor for k, motor in enumerate(motors, 1) if isinstance(motor, (tuple, list))}
-            torques = [f"motor_{k}" if f"motor_{k}" in tables else motor for k, motor in enumerate(motors, 1)]
-            forces = {**forces, "inputs": {**(forces.get("inputs") or {}), **tables}, "torque": {"l": torques}}
+            torques, forces = formulas_of_motors("motors", motors, forces)
+            forces["torque"] = {"l": torques}
         super().__init__(kind="reaction-wheels", parameters=parameters, **forces)
         units = rows.reshape(-1, 3)
         self._axes = units / np.linalg.norm(units, axis=1)[:, None]
