@@ -1,5 +1,6 @@
 //! Formulas for coordinates: [`Element`].
 
+use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeMap;
 
@@ -38,11 +39,15 @@ enum Entry {
     Text(String),
 }
 
-impl From<Entry> for String {
-    fn from(entry: Entry) -> Self {
-        match entry {
-            Entry::Number(number) => format!("{number:?}"),
-            Entry::Text(text) => text,
+impl Entry {
+    /// Returns the formula. A number is one, if it is finite.
+    fn into_formula<E: Error>(self) -> Result<String, E> {
+        match self {
+            Self::Number(number) if number.is_finite() => Ok(format!("{number:?}")),
+            Self::Number(number) => {
+                Err(E::custom(format_args!("expected a finite number or a formula, got {number}")))
+            }
+            Self::Text(text) => Ok(text),
         }
     }
 }
@@ -50,9 +55,12 @@ impl From<Entry> for String {
 impl<'de> Deserialize<'de> for Formulas {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         Ok(match Written::deserialize(from)? {
-            Written::One(entry) => Self::One(entry.into()),
+            Written::One(entry) => Self::One(entry.into_formula()?),
             Written::Rows(rows) => Self::Rows(rows),
-            Written::Many(entries) => Self::Many(entries.into_iter().map(String::from).collect()),
+            Written::Many(entries) => {
+                let formulas = entries.into_iter().map(Entry::into_formula);
+                Self::Many(formulas.collect::<Result<_, _>>()?)
+            }
         })
     }
 }

@@ -71,6 +71,12 @@ fn errors_name_the_value_the_bound_and_the_line() {
         (SPIN, "[torque]\nPi = 'Pi1'\n", &["3 formulas"]),
         (
             SPIN,
+            "[torque]\nPi = [0, 0, nan]\n",
+            &["expected a finite number or a formula, got NaN", "Pi = [0, 0, nan]"],
+        ),
+        (TOP, "[drive]\nPi = [0, -inf, 0]\n", &["expected a finite number or a formula, got -inf"]),
+        (
+            SPIN,
             "[inputs.u]\ntimes = [0, 1]\nvalues = [0, 1]\ninterpolation = 'linear'\n[drive]\nPi = [0, 0, 'u']\n",
             &["from 0 to 1", "from 0 to 10"],
         ),
