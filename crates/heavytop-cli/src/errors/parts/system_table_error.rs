@@ -13,7 +13,7 @@ use thiserror::Error;
 pub enum SystemTableError {
     /// A command for tops got a system.
     #[error(
-        "only simulate, events, section and sweep run a system; the other commands are for tops"
+        "only simulate, events, section, sweep and ensemble run a system; the other commands are for tops"
     )]
     CommandOfTops,
     /// A table of tops stands beside the system.
@@ -36,7 +36,7 @@ pub enum SystemTableError {
     /// A command whose formulas are of coordinates got a system of arrays.
     #[error(
         "{kind} has no section and no events here: it is an array, whose coordinates have no names in formulas; use \
-         simulate or sweep, or Python for events"
+         simulate, sweep or ensemble, or Python for events"
     )]
     OnlySimulated {
         /// The name of the kind of system.
@@ -177,7 +177,9 @@ impl SystemTableError {
     pub fn keys(&self) -> Vec<(String, &'static str)> {
         let key = |key: &str, note| vec![(key.to_owned(), note)];
         match self {
-            Self::CommandOfTops => key("system", "use simulate, events, section or sweep"),
+            Self::CommandOfTops => {
+                key("system", "use simulate, events, section, sweep or ensemble")
+            }
             Self::Top(table) => key(table, "remove the table"),
             Self::Missing(_) => key("system", "add the key"),
             Self::TwoAlgebras => ["brackets", "structure_constants", "coordinates", "algebra", ""]
@@ -197,7 +199,7 @@ impl SystemTableError {
             .map(|other| (below_system(other), "leave it out"))
             .to_vec(),
             Self::TwoRealisations => key("system.momenta", "leave one of them out"),
-            Self::OnlySimulated { .. } => key("system.kind", "use simulate or sweep"),
+            Self::OnlySimulated { .. } => key("system.kind", "use simulate, sweep or ensemble"),
             Self::TwoStarts | Self::NoStartFile | Self::OtherStart { .. } => {
                 key("system.initial_file", "")
             }

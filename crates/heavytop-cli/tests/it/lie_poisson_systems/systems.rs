@@ -249,7 +249,10 @@ fn methods_that_do_not_exist_are_refused() {
     }
     for command in ["compare", "animate"] {
         let error = refused(&folder.heavytop(&[command, "top.toml", "--out", "page.html"]));
-        assert!(error.contains("only simulate, events, section and sweep run a system"), "{error}");
+        assert!(
+            error.contains("simulate, events, section, sweep and ensemble run a system"),
+            "{error}"
+        );
     }
 }
 
