@@ -120,6 +120,17 @@ pub enum OpenSystemError {
         /// The temperature, which is positive.
         temperature: f64,
     },
+    /// Steps would go back in time at a temperature.
+    #[error(
+        "a motion at a temperature has no way back in time, where its friction = {friction} would make it gain energy: steps must \
+         be above 0, and with them the end; the step is {step}"
+    )]
+    BackAtTemperature {
+        /// The friction, which is positive.
+        friction: f64,
+        /// The step, which is negative.
+        step: f64,
+    },
     /// A form of damping is of spins, and the coordinates are others.
     #[error(
         "a form of damping is of spins, on so(3) or a sum of several so(3): {algebra} has friction with inner_product, and \
@@ -148,6 +159,18 @@ impl OpenSystemError {
             return Err(Self::TemperatureWithoutFriction { temperature });
         }
         Ok(())
+    }
+
+    /// Checks that steps go forward in time where noise and friction are those of a temperature. Backward the friction would be
+    /// negative, and the weight of states exp(+h/kT), if it had a sum.
+    ///
+    /// # Errors
+    /// Returns [`BackAtTemperature`](Self::BackAtTemperature) for a step below 0.
+    pub fn require_forward(friction: f64, step: f64) -> Result<(), Self> {
+        match step < 0.0 {
+            true => Err(Self::BackAtTemperature { friction, step }),
+            false => Ok(()),
+        }
     }
 }
 

@@ -296,6 +296,16 @@ def test_what_does_not_fit_is_refused(wrong, message):
         System("so(3)", "Pi3", **wrong)
 
 
+@pytest.mark.parametrize("damping", [0.5, {"friction": 0.5, "form": "gilbert"}])
+def test_a_temperature_has_no_way_back(damping):
+    warm = System("so(3)", "-Pi3", damping=damping, noise={"temperature": 0.5})
+    for go in (warm.solve, lambda y0, **run: warm.section(y0, "sin(t)", **run)):
+        with pytest.raises(ValueError, match="no way back in time, where its friction = 0.5 .* the step is -0.1"):
+            go(SPIN, step=-0.1, end=-4)
+    damped = System("so(3)", "-Pi3", damping=damping)
+    assert damped.solve(SPIN, step=-0.1, end=-4).y[2, -1] < -0.5, "control: damping alone has one"
+
+
 def test_what_there_is_not_is_refused_with_a_reason():
     damped = System("so(3)", "Pi3", damping=1)
     with pytest.raises(ValueError, match="path is of systems with noise"):

@@ -150,3 +150,11 @@ def test_what_there_is_not_is_refused_with_a_reason():
         ArraySystem("vibrating-lattice", {"atoms": 4, "exchange": 1.0}, damping=1.0)
     with pytest.raises(TypeError):
         VibratingLattice(4, 1.0, damping=1.0)
+
+
+def test_a_temperature_has_no_way_back():
+    start = np.tile([1.0, 0.0, 0.0], (4, 1))
+    warm = SpinLattice(4, exchange=1.0, damping=1, noise={"temperature": 1})
+    with pytest.raises(ValueError, match="no way back in time, where its friction = 1 .* the step is -0.1"):
+        warm.solve(start, step=-0.1, end=-1)
+    assert SpinLattice(4, exchange=1.0, damping=1).solve(start, step=-0.1, end=-1).t[-1] == -1, "control"

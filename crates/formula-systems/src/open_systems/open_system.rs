@@ -55,9 +55,13 @@ impl OpenSystem {
     /// that of `base`. The step is that of runs.
     ///
     /// # Errors
-    /// Returns [`OpenSystemError`] if the terms do not fit the algebra.
+    /// Returns [`OpenSystemError`] if the terms do not fit the algebra, and for steps below 0 at a temperature, which has no way back:
+    /// friction with noise in its inner product.
     pub fn new(base: FormulaSystem, terms: OpenTerms, step: f64) -> Result<Self, OpenSystemError> {
         terms.require_sane(base.algebra())?;
+        if let Some(friction) = terms.thermal_friction() {
+            OpenSystemError::require_forward(friction, step)?;
+        }
         // Runs backward count the same intervals.
         let of_noise = terms.noise.as_ref().and_then(|noise| noise.interval);
         let interval = of_noise.unwrap_or(step.abs());

@@ -132,6 +132,20 @@ impl NoiseFields {
 }
 
 impl OpenTerms {
+    /// Returns the friction of a system at a temperature: noise is in the inner product of the friction, σ² = 2θkT, or that of
+    /// Gilbert's damping. Noise of a strength beside friction is at one, too.
+    pub(super) fn thermal_friction(&self) -> Option<f64> {
+        let damping = self.damping.as_ref()?;
+        let is_thermal = match (damping, &self.noise.as_ref()?.fields) {
+            (Damping::DoubleBracket { inner_product, .. }, NoiseFields::Isotropic(noise)) => {
+                noise.strength > 0.0 && noise.inner_product == *inner_product
+            }
+            (Damping::Gilbert(_), NoiseFields::OfSpins { temperature, .. }) => *temperature > 0.0,
+            _ => false,
+        };
+        Some(damping.friction()).filter(|friction| is_thermal && *friction > 0.0)
+    }
+
     /// Checks what is not a formula.
     pub(super) fn require_sane(&self, algebra: &SystemAlgebra) -> Result<(), OpenSystemError> {
         let dimension = algebra.dimension();

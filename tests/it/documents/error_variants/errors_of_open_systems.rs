@@ -38,6 +38,10 @@ pub fn errors() -> Vec<String> {
         let noise = noise(1.0, None).map(|noise| NoiseTerms { path, interval, ..noise });
         open(OpenTerms { noise, ..OpenTerms::default() })
     };
+    let thermal =
+        NoiseFields::thermal(damped(1.0, InnerProduct::euclidean()).damping.as_ref(), 0.5);
+    let back = noise(1.0, None).map(|noise| NoiseTerms { fields: thermal.unwrap(), ..noise });
+    let back = OpenTerms { noise: back, ..damped(1.0, InnerProduct::euclidean()) };
     let timed = Parameters::new().number("t", 1.0).unwrap();
     vec![
         refused(OpenNames::new(algebra("so(3)"), &none(), timed)),
@@ -56,6 +60,7 @@ pub fn errors() -> Vec<String> {
         refused(open(noisy(-1.0, None))),
         refused(NoiseFields::thermal(None, 1.0)),
         refused(NoiseFields::thermal(Some(&Damping::Gilbert(0.0)), 1.0)),
+        refused(OpenSystem::new(base.clone(), back, -0.1)),
         refused(top.require_spins()),
         refused(open(damped(-1.0, InnerProduct::euclidean())).map_err(FormulaSystemError::from)),
     ]

@@ -295,3 +295,23 @@ fn a_temperature_needs_a_friction_above_zero() {
         assert!(told.contains(part) && told.contains("0 or a positive number"), "{told}");
     }
 }
+
+/// Backward in time the weight of states would be exp(+h/kT); without a temperature, or without friction, there is a way back.
+#[test]
+fn a_temperature_has_no_way_back() {
+    let of = |friction: Option<f64>, gilbert: Option<f64>, temperature: Option<f64>, step: f64| {
+        open("so(3)", BODY, &Texts { friction, gilbert, temperature, ..Texts::default() }, step)
+    };
+    for (friction, gilbert) in [(Some(0.3), None), (None, Some(0.3))] {
+        let refused = of(friction, gilbert, Some(0.5), -0.1).unwrap_err();
+        let expected = OpenSystemError::BackAtTemperature { friction: 0.3, step: -0.1 };
+        assert!(matches!(&refused, FormulaSystemError::Open(error) if *error == expected));
+        assert!(of(friction, gilbert, Some(0.5), 0.1).is_ok());
+        assert!(of(friction, gilbert, Some(0.0), -0.1).is_ok());
+        assert!(of(friction, gilbert, None, -0.1).is_ok());
+    }
+    // Noise of fields beside friction has no temperature.
+    let noise = Some(vec![vec!["0.1", "0", "0"]]);
+    let texts = Texts { friction: Some(0.3), noise, ..Texts::default() };
+    assert!(open("so(3)", BODY, &texts, -0.1).is_ok());
+}

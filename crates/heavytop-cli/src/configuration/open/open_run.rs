@@ -134,8 +134,14 @@ impl Config {
         let (base, names, hamiltonian) = system.open_base(&inputs, near)?;
         let start = system.start(&base)?;
         let terms = self.open_terms((&names, base.algebra().dimension()), inputs, hamiltonian)?;
-        let Integration { step, .. } = self.integrator.or(Integration::default());
-        Ok((OpenModel::System(Box::new(OpenSystem::new(base, terms, step)?)), start))
+        let system = OpenSystem::new(base, terms, self.open_step())?;
+        Ok((OpenModel::System(Box::new(system)), start))
+    }
+
+    /// Returns the step of the run of an open system, below 0 towards an end below 0. It has not been checked.
+    fn open_step(&self) -> f64 {
+        let Integration { step, end, .. } = self.integrator.or(Integration::default());
+        if end < 0.0 { -step.abs() } else { step }
     }
 
     /// Returns the open top, in the axes of `[body]`.
@@ -176,8 +182,7 @@ impl Config {
         if self.torque.iter().flatten().any(|(name, _)| name != "Pi") {
             return Err(SystemTableError::TorqueOnVertical.into());
         }
-        let Integration { step, .. } = self.integrator.or(Integration::default());
-        let system = OpenSystem::new(base, terms, step)?;
+        let system = OpenSystem::new(base, terms, self.open_step())?;
         Ok((OpenModel::Top(Box::new(OpenTop { system, initial_attitude })), start))
     }
 }

@@ -45,6 +45,10 @@ pub(super) fn keys_of_open(error: &OpenSystemError) -> Vec<(String, &'static str
                 ("noise.temperature".into(), "write 0, or leave it out"),
             ]
         }
+        E::BackAtTemperature { .. } => vec![
+            ("integrator.end".into(), "write an end above 0"),
+            ("integrator.step".into(), "write a step above 0"),
+        ],
         E::NoSpins { .. } => key("damping.form", "leave it out"),
         _ => Vec::new(),
     }

@@ -29,7 +29,7 @@ impl OpenedLattice {
     /// Returns the lattice with its terms, for runs with steps of a size, s.
     ///
     /// # Errors
-    /// If a number is not what it must be, or a temperature has no damping.
+    /// If a number is not what it must be, a temperature has no damping, or steps at one would go back in time.
     pub(in crate::arrays) fn of(lattice: &OpenLattice, terms: &LatticeTerms, step: f64) -> Opening {
         let damping = terms.damping.unwrap_or(SpinDamping::LandauLifshitz(0.0));
         let (SpinDamping::LandauLifshitz(friction) | SpinDamping::Gilbert(friction)) = damping;
@@ -39,6 +39,9 @@ impl OpenedLattice {
         }
         let temperature = terms.noise.map_or(0.0, |noise| noise.temperature);
         OpenSystemError::require_thermal(friction, temperature)?;
+        if temperature > 0.0 {
+            OpenSystemError::require_forward(friction, step)?;
+        }
         let paths = terms.noise.map(|noise| noise.paths);
         let paths = NoisePaths::brownian_of(paths.as_ref(), step)?;
         let langevin = LangevinSpins::new(lattice.clone(), damping, temperature, paths);

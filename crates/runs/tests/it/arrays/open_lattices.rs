@@ -224,6 +224,11 @@ fn what_a_lattice_cannot_have_is_refused() {
         assert!(message.contains(part), "{message}: {part}");
     }
     assert!(refused(at(1.0), 0.0).contains("it is 0"));
+    let message = refused(at(1.0), -0.1);
+    assert!(message.contains("no way back in time") && message.contains("the step is -0.1"));
+    for terms in [at(0.0), damped(FRICTION)] {
+        assert!(OpenArrays::new(lattice(&[4.0], 1.0), terms, -0.1).is_ok());
+    }
     let fluid = system("sphere-fluid", &Arguments::new().number("size", 4.0));
     let error = OpenArrays::new(fluid, damped(FRICTION), 0.1).unwrap_err();
     assert_eq!(

@@ -12,6 +12,16 @@ end = 10
 step = 0.1
 ";
 
+const BACK: &str = "\
+[system]
+algebra = 'so(3)'
+hamiltonian = '-Pi3'
+initial.Pi = [1, 0, 0]
+[integrator]
+end = -10
+step = 0.1
+";
+
 const TOP: &str = "[integrator]\nend = 1\n";
 
 #[test]
@@ -22,6 +32,23 @@ fn errors_name_the_value_the_bound_and_the_line() {
             SPIN,
             "[damping]\nfriction = -0.1\n",
             &["-0.1", "0 or a positive number", "friction = -0.1"][..],
+        ),
+        (
+            BACK,
+            "[damping]\nfriction = 2\n[noise]\ntemperature = 0.5\n",
+            &[
+                "no way back in time",
+                "friction = 2",
+                "must be above 0",
+                "is -0.1",
+                "end = -10",
+                "^ write",
+            ],
+        ),
+        (
+            BACK,
+            "[damping]\nfriction = 2\n[noise]\nstrength = 0.5\n",
+            &["no way back in time", "the step is -0.1"],
         ),
         (SPIN, "[damping]\nfriction = nan\n", &["NaN"]),
         (SPIN, "[damping]\n", &["friction"]),
