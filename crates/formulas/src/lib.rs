@@ -114,6 +114,7 @@ pub use names::named_algebra::NamedAlgebra;
 pub use names::parameters::Parameters;
 pub use names::vocabulary::Vocabulary;
 pub use text::formula_error::{FormulaError, Problem, Shape};
+pub use text::names_in_text::names_in;
 pub use text::suggestion::closest_name;
 
 pub use text::expressions::{Expression, Expressions};

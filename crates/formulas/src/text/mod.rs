@@ -7,3 +7,4 @@ pub(crate) mod syntax;
 pub(crate) mod expressions;
 pub(crate) mod parsing;
 pub(crate) mod printer;
+pub(crate) mod names_in_text;

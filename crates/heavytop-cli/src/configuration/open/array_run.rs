@@ -103,18 +103,17 @@ impl Config {
     fn lattice_field(&self) -> Result<Option<LatticeField>, Error> {
         let (key, table) = ("field", "drive".to_owned());
         let Some(drive) = &self.drive else {
-            // Inputs alone would do nothing.
-            return match self.inputs {
-                Some(_) => Err(SystemTableError::MissingKey { table, key }.into()),
-                None => Ok(None),
-            };
+            self.require_named_inputs()?;
+            return Ok(None);
         };
         if let Some(other) = drive.keys().find(|other| *other != key) {
             let key = format!("drive.{other}");
             return Err(SystemTableError::OtherKey { key, has: LATTICE.has }.into());
         }
         let field = drive.get(key).ok_or(SystemTableError::MissingKey { table, key })?;
-        Ok(Some(LatticeField::new(self.named_inputs()?, &field.texts())?))
+        let field = LatticeField::new(self.named_inputs()?, &field.texts())?;
+        self.require_named_inputs()?;
+        Ok(Some(field))
     }
 
     /// Returns the viscosity, the drag, the force and the noise of a fluid.

@@ -5,6 +5,7 @@ mod input_config;
 mod input_file;
 mod damping_config;
 mod noise_config;
+mod named_in_formulas;
 mod open_tables;
 mod open_run;
 mod array_run;

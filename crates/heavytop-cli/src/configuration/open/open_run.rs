@@ -118,6 +118,7 @@ impl Config {
             Some(system) => self.open_system(system, near)?,
             None => self.open_top(near)?,
         };
+        self.require_named_inputs()?;
         let (integrator, system) = (self.integrator, model.system());
         let Integration { scheme, tolerance, .. } = integrator.or(Integration::default());
         let formulation = integrator.formulation.unwrap_or_else(|| system.default_formulation());

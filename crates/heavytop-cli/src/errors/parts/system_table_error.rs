@@ -116,6 +116,12 @@ pub enum SystemTableError {
         /// The name of the input.
         input: String,
     },
+    /// An input would do nothing.
+    #[error("no formula names the input {input}")]
+    UnnamedInput {
+        /// The name of the input.
+        input: String,
+    },
     /// There is no noise in `[noise]`, or more than one.
     #[error(
         "[noise] has one of temperature, which goes with [damping], strength, with or without inner_product, and fields"
@@ -158,6 +164,7 @@ impl SystemTableError {
             | Self::NoForces { .. }
             | Self::MissingKey { .. }
             | Self::TwoTables { .. }
+            | Self::UnnamedInput { .. }
             | Self::OneNoise
             | Self::ColumnOfClosed { .. }
             | Self::OpenRod
@@ -213,6 +220,9 @@ impl SystemTableError {
             Self::MissingKey { table, .. } => key(table, "add the key"),
             Self::TwoTables { input } => {
                 vec![(format!("inputs.{input}.file"), "leave it out, or times and values")]
+            }
+            Self::UnnamedInput { input } => {
+                vec![(format!("inputs.{input}"), "name it in a formula, or remove the table")]
             }
             Self::OneNoise => key("noise", "write one of them"),
             Self::ColumnOfClosed { .. } => key("output.columns", "leave it out"),

@@ -119,6 +119,9 @@ fn of_inputs(folder: &Folder) -> BTreeSet<String> {
         let input = format!("[inputs.u]\nfile = '{}'\ninterpolation = 'linear'\n", file.display());
         config(&format!("{system}[integrator]\nend = 1\nstep = 0.1\n{input}{keys}")).run()
     };
+    let unnamed = config(
+        "[torque]\nPi = [0, 0, 1]\n[inputs.u]\ntimes = [0, 1]\nvalues = [0, 1]\ninterpolation = 'linear'",
+    );
     let missing = config(
         "[system]\nalgebra = 'so(3)'\nhamiltonian = 'u*Pi3'\ninitial.Pi = [1, 0, 0]\n\
          [inputs.u]\nfile = 'missing.csv'\ninterpolation = 'linear'",
@@ -133,6 +136,7 @@ fn of_inputs(folder: &Folder) -> BTreeSet<String> {
         refused("InputFileError::NoNumber", with("t,u\n0,0\n1,x\n", "")),
         refused("InputFileError::NotIncreasing", with("t,u\n0,0\n1,1\n1,2\n", "")),
         refused("InputFileError::Table", with("t,u\n0,0\n0.5,1\n", "")),
+        refused("SystemTableError::UnnamedInput", unnamed.run()),
         refused("SystemTableError::TwoTables", with("t,u\n0,0\n1,1\n", "times = [0]")),
     ]
     .into_iter()

@@ -117,6 +117,17 @@ fn errors_name_the_value_the_bound_and_the_line() {
             "[inputs.u]\ntimes = [0, nan]\nvalues = [0, 1]\ninterpolation = 'linear'\n",
             &["NaN"],
         ),
+        (
+            SPIN,
+            "[drive]\nPi = ['u', 0, 0]\n[inputs.u]\ntimes = [0, 20]\nvalues = [0, 1]\ninterpolation = 'linear'\n\
+             [inputs.thruster]\ntimes = [0, 20]\nvalues = [0, 1]\ninterpolation = 'linear'\n",
+            &["no formula names the input thruster", "[inputs.thruster]", "name it in a formula"],
+        ),
+        (
+            TOP,
+            "[inputs.u]\ntimes = [0, 20]\nvalues = [0, 1]\ninterpolation = 'linear'\n",
+            &["no formula names the input u", "remove the table"],
+        ),
         (SPIN, "[inputs.u]\ntimes = [0, 20]\nvalues = [0, 1]\n", &["interpolation"]),
         (
             SPIN,
@@ -146,6 +157,23 @@ fn errors_name_the_value_the_bound_and_the_line() {
         assert_eq!(done.code(), 2, "{tables}: {told}");
         assert!(parts.iter().all(|part| told.contains(part)), "{tables}: {told}");
         assert_eq!(folder.names(), ["a.toml"], "{tables}");
+    }
+}
+
+/// A formula that is 0 names its input, since a sweep may vary the factor; so do functions of other commands in the file.
+#[test]
+fn any_formula_names_an_input() {
+    let folder = Folder::new();
+    let input = "[inputs.'ω']\ntimes = [0, 20]\nvalues = [0, 1]\ninterpolation = 'linear'\n";
+    for naming in [
+        "[torque]\nPi = ['0*omega', 0, 0]\n",
+        "[noise]\nfields = [{ Pi = [0, 0, 'ω'] }]\n",
+        "[events]\nfunctions = ['Pi1 - 2ω²']\n",
+        "[section]\nsurface = 'sin(ω)'\n",
+    ] {
+        folder.write("a.toml", &format!("{SPIN}{input}{naming}"));
+        let done = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv", "--force"]);
+        assert_eq!(done.code(), 0, "{naming}: {}", done.stderr());
     }
 }
 

@@ -123,7 +123,8 @@ fn what_is_no_drive_of_a_lattice_is_refused_before_anything_is_written() {
         ("['u*2', 0, 0]", "'u'", &["needs 3 formulas", "has 1"]),
         ("['u*2', 0, 0]", "['u*2', 'S_1', 0]", &["drive field2", "S_1", "^"]),
         ("field = ['u*2', 0, 0]", "", &["field is missing in [drive]"]),
-        ("[drive]\nfield = ['u*2', 0, 0]\n", "", &["field is missing in [drive]"]),
+        ("[drive]\nfield = ['u*2', 0, 0]\n", "", &["no formula names the input u", "[inputs.u]"]),
+        ("['u*2', 0, 0]", "[0, 0, 't']", &["no formula names the input u", "remove the table"]),
         (
             "field = ['u*2', 0, 0]",
             "S = [0, 0, 1]",
@@ -152,7 +153,7 @@ fn what_is_no_drive_of_a_lattice_is_refused_before_anything_is_written() {
         assert_eq!(folder.names(), ["a.toml"], "{new}");
     }
     // A formula without a value ends the run there.
-    folder.write("a.toml", &PULSE.replace("'u*2', 0, 0", "'log(1.02 - t)', 0, 0"));
+    folder.write("a.toml", &PULSE.replace("'u*2', 0, 0", "'log(1.02 - t) + 0*u', 0, 0"));
     let done = folder.heavytop(&["simulate", "a.toml", "--out", "a.csv"]);
     assert!(done.code() == 1, "{}", done.stderr());
     assert_eq!(folder.names(), ["a.csv.partial", "a.toml"]);
