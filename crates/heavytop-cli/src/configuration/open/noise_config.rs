@@ -132,7 +132,8 @@ pub enum Rule {
     /// In one step of the scheme: weak order 1.
     #[default]
     Together,
-    /// One field after the other: weak order 2 with schemes of order 4 and more.
+    /// One field after the other: weak order 2, with schemes of order 2 where no field depends on coordinates, and otherwise with those
+    /// of order 4 and more.
     Alternating,
 }
 

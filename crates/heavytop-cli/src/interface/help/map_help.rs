@@ -40,7 +40,8 @@ Written: a table with the columns paths, the number of paths, t, and of each col
   X_deviation           the standard deviation of X
   X_q0.05, ...          the quantiles
 An error of the mean by the step is beside the standard error: of weak order 1 in the step, or 2
-with noise.rule = \"alternating\" and a scheme of order 4 or more. Half the step shows it.";
+with noise.rule = \"alternating\", and a scheme of order 4 or more if noise.fields name coordinates.
+Half the step shows it.";
 
 pub(crate) const ENSEMBLE_EXAMPLES: &str = "\
 Configuration: as of simulate, with [noise], of a top, a system, a spin-lattice, a sphere-fluid
