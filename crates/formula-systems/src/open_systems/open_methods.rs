@@ -63,34 +63,53 @@ impl OpenSystem {
         }
     }
 
-    /// Returns the angle by which isotropic noise turns a state in a step h, rad: the largest σ√(h ♯_ii) of the coordinates i that
-    /// are rotations, or σ√h of all spins. There is none of other noise, and of algebras whose coordinates are not known to be
-    /// rotations. Steps are safe up to a third.
+    /// Returns the angle by which noise turns a state in a step h, rad: the largest σ√(h ♯_ii) of the coordinates i that are rotations
+    /// for isotropic noise, or σ√h of all spins, and √(h Σ_k (σ_k)_i²) for constant fields, as they are at the time 0. There is
+    /// none of fields that depend on coordinates or have no value, and of algebras whose coordinates are not known to be rotations.
+    /// Steps are safe up to a third.
     #[must_use]
     pub fn noise_angle(&self, state: &[f64], step: f64) -> Option<f64> {
-        let noise = match &self.terms().noise.as_ref()?.fields {
-            NoiseFields::Isotropic(noise) => noise,
+        let noise = &self.terms().noise.as_ref()?.fields;
+        let strength = match noise {
+            NoiseFields::Isotropic(noise) => {
+                let dimension = self.base().algebra().dimension();
+                let (mut covector, mut sharp) = (vec![0.0; dimension], vec![0.0; dimension]);
+                let largest = (0..self.rotations()?).fold(0.0_f64, |most, i| {
+                    covector.fill(0.0);
+                    covector[i] = 1.0;
+                    noise.inner_product.write_sharp(&covector, &mut sharp);
+                    most.max(sharp[i])
+                });
+                noise.strength * largest.sqrt()
+            }
             NoiseFields::OfSpins { damping, temperature } => {
                 let spins = state.as_chunks::<3>().0.iter();
                 let strengths = spins.map(|spin| thermal_strength(*damping, *temperature, *spin));
-                return Some(strengths.fold(0.0, larger) * step.abs().sqrt());
+                strengths.fold(0.0, larger)
             }
-            NoiseFields::Formulas(_) => return None,
+            NoiseFields::Formulas(fields) => {
+                let dimension = self.base().algebra().dimension();
+                let mut x =
+                    state.get(..dimension).filter(|_| noise.are_constant(dimension))?.to_vec();
+                self.terms().inputs.append(0.0, &mut x);
+                let values = |i: usize| fields.iter().filter_map(move |field| field.get(i));
+                let about =
+                    |i| values(i).fold(0.0, |sum: f64, field| sum.hypot(field.value_at(&x)));
+                let largest = (0..self.rotations()?).map(about).fold(0.0, larger);
+                Some(largest).filter(|strength| strength.is_finite())?
+            }
         };
-        let dimension = self.base().algebra().dimension();
-        let turns = match self.base().algebra().family {
-            Family::Rotations | Family::ManyRotations => dimension,
-            Family::Motions => 3,
-            Family::Other => return None,
-        };
-        let (mut covector, mut sharp) = (vec![0.0; dimension], vec![0.0; dimension]);
-        let largest = (0..turns).fold(0.0_f64, |most, i| {
-            covector.fill(0.0);
-            covector[i] = 1.0;
-            noise.inner_product.write_sharp(&covector, &mut sharp);
-            most.max(sharp[i])
-        });
-        Some(noise.strength * largest.sqrt() * step.abs().sqrt())
+        Some(strength * step.abs().sqrt())
+    }
+
+    /// Returns the number of coordinates that are rotations, which come first.
+    fn rotations(&self) -> Option<usize> {
+        let algebra = self.base().algebra();
+        match algebra.family {
+            Family::Rotations | Family::ManyRotations => Some(algebra.dimension()),
+            Family::Motions => Some(3),
+            Family::Other => None,
+        }
     }
 
     /// Returns the formulation that suits the system best: direct with a torque or where steps do not descend to 𝔤∗, and

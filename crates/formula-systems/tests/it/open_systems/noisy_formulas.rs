@@ -253,3 +253,32 @@ fn a_torque_in_time_beside_a_noise_has_the_order_of_the_splitting() {
     let (long, short) = (error(0.1, 20), error(0.05, 40));
     assert!(short > 1e-6 && (3.8..4.2).contains(&(long / short)), "{long:e} {short:e}");
 }
+
+/// √(h Σ_k σ_k²) of the rotation that is the largest. Fields on each axis are isotropic noise.
+#[test]
+fn constant_fields_have_the_angle_of_their_noise() {
+    let angle = |algebra: &str, h: &str, fields: Vec<Vec<&'static str>>| {
+        let texts = Texts { noise: Some(fields), ..Texts::default() };
+        let system = open(algebra, h, &texts, 0.04).unwrap();
+        system.noise_angle(&vec![0.7; system.base().algebra().dimension()], -0.04)
+    };
+    let axes = || vec![vec!["0.5", "0", "0"], vec!["0", "0.5", "0"], vec!["0", "0", "0.5"]];
+    for (fields, strength) in [
+        (axes(), 0.5),
+        (vec![vec!["0.3", "0", "0.1"], vec!["-0.4", "0", "0.2"]], 0.5),
+        (vec![vec!["0", "0.5*cos(t)", "t"]], 0.5),
+        (vec![vec!["0", "1e200", "0"], vec!["0", "1e200", "0"]], 2.0_f64.sqrt() * 1e200),
+        (vec![vec!["0", "0", "0"]], 0.0),
+    ] {
+        let found = angle("so(3)", BODY, fields).unwrap();
+        // Some roundings, relative to the angle.
+        assert!((found - 0.2 * strength).abs() <= 1e-15 * strength, "{found:e} {strength:e}");
+    }
+    // Of se(3) the first three are rotations, and the others displacements.
+    let moved = angle("se(3)", "Pi1^2", vec![vec!["0", "0.2", "0", "9", "9", "9"]]).unwrap();
+    assert!((moved - 0.04).abs() < 1e-15);
+    // Control: fields of coordinates, without a value, or of other algebras have none.
+    assert_eq!(angle("so(3)", BODY, vec![vec!["Pi1", "0", "0"]]), None);
+    assert_eq!(angle("so(3)", BODY, vec![vec!["1/t", "0", "0"]]), None);
+    assert_eq!(angle("so(2,1)", "0", vec![vec!["0.5", "0", "0"]]), None);
+}
