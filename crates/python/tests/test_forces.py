@@ -213,6 +213,11 @@ def test_a_noise_has_sections_at_times_alone():
         with pytest.raises(ValueError, match="depends on the step"):
             warm.section(SPIN, surface, step=0.1, end=4)
     assert warm.section(SPIN, lambda x, t: t - 1, step=0.1, end=4).t.size == 1
+    for event in ("Pi3 - 0.5", lambda x, t: x.Pi1 - t, ["t - 1", "t*Pi2"]):
+        with pytest.raises(ValueError, match="depends on the step"):
+            warm.solve(SPIN, step=0.1, end=4, events=event)
+    (times,) = warm.solve(SPIN, step=0.1, end=4, events="t - 1").t_events
+    assert times == pytest.approx([1], abs=1e-12)
 
 
 def test_a_balance_tells_what_forces_supply():

@@ -323,14 +323,16 @@ pub enum Error {
     /// The section of a system has no surface.
     #[error("[section] surface is missing: a formula, such as a coordinate")]
     NoSurface,
-    /// The surface of a section of paths with noise is one of coordinates.
+    /// The zeros of a function of coordinates are looked for along a path with noise.
     #[error(
-        "[section] surface {surface} is a function of coordinates, which a path with noise passes again and again in any time, however \
+        "{key}: {function} is a function of coordinates, whose value a path with noise passes again and again in any time, however \
          short: where depends on the step; write a function of t alone, such as sin(2*t)"
     )]
-    NoisySurface {
+    NoisyFunction {
+        /// The key of the function.
+        key: String,
         /// The function.
-        surface: String,
+        function: String,
     },
     /// A key of the section is for systems, or for tops.
     #[error("[section] {key} is of the section of {of} alone")]

@@ -94,8 +94,8 @@ pub(super) fn repairs(error: &Error, config: &Config) -> Vec<Repair> {
         }
         Error::UnknownSurface(_) => vec![repair("section.surface", String::new())],
         Error::NoSurface => vec![repair("section", "add the key".into())],
-        Error::NoisySurface { .. } => {
-            vec![repair("section.surface", "write a function of t alone".into())]
+        Error::NoisyFunction { key, .. } => {
+            vec![repair(key, "write a function of t alone".into())]
         }
         Error::SectionKey { key, .. } => {
             vec![repair(&format!("section.{key}"), "remove the key".into())]

@@ -163,7 +163,8 @@ class System(SystemDescription):
             tolerance: of the stage equations of implicit schemes, relative to the state, at most 1e-3; 0 iterates to
                 round-off.
             every: keep each n-th sample; the last one is always kept.
-            events: functions of the state whose zeros are found; as for `Top.solve`.
+            events: functions of the state whose zeros are found; as for `Top.solve`. With noise they are of the time alone, as
+                surfaces of `section` are.
             path: of a system with noise, the number of the path: another number is another run with the same statistics. Without
                 it, the path that `noise` has.
             estimate: whether to estimate the error of the run. The estimate repeats the run, or the beginning of a long one,
@@ -273,7 +274,6 @@ class System(SystemDescription):
         bound = 0 if most is None else whole("most", most, 1)
         warn_of_accuracy(native, run.setting, 0, 3)
         function = surface_source(surface, real("value", value), self._names, self._parameters)
-        native.require_surface(function)
         return crossings(native.follow(run.setting, end, NEVER, [(function, way, bound)]))
 
     def _formulation_of_tangents(self) -> str:

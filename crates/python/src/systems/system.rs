@@ -286,26 +286,15 @@ impl System {
         events: Vec<EventArgument>,
     ) -> PyResult<Recorded> {
         let model = self.model(setting.1)?;
+        for (function, ..) in &events {
+            self.require_zeros(&model, function)?;
+        }
         let events = Event::all(&events, &self.names, &*model)?;
         model.require_until(end)?;
         let run = self.following(&model, &setting)?;
         model.conserved(&setting.0).values(0.0, &setting.0).map_err(PyValueError::new_err)?;
         let (record, widths) = run.record(py, (end, every), &events, None)?;
         Recorded::new(py, record, widths)
-    }
-
-    /// Checks that the returns to a surface have a meaning: with noise only those to one of the time alone.
-    fn require_surface(&self, surface: FormulaSource) -> PyResult<()> {
-        let ModelOfRun::Open(open) = self.model(unit_of(self.terms.as_ref()))? else {
-            return Ok(());
-        };
-        match open.noise().is_none() || open.is_of_time(&surface.formula(&self.names)?) {
-            true => Ok(()),
-            false => Err(PyValueError::new_err(
-                "a path with noise passes a surface of coordinates again and again in any time, however short, and where depends \
-                 on the step: write a function of the time alone, such as \"sin(2*t)\"",
-            )),
-        }
     }
 
     /// Returns a warning about invariants of which a motion from a start to an end has used up the digits.
@@ -354,6 +343,18 @@ impl System {
     /// Returns the model of a run with steps of a size.
     pub(crate) fn model(&self, step: f64) -> PyResult<ModelOfRun<'_>> {
         ModelOfRun::new(&self.system, self.terms.as_ref(), step)
+    }
+
+    /// Checks that the zeros of a function do not depend on the step: with noise only those of functions of the time alone do not.
+    fn require_zeros(&self, model: &ModelOfRun<'_>, function: &FormulaSource) -> PyResult<()> {
+        let ModelOfRun::Open(open) = model else { return Ok(()) };
+        match open.noise().is_none() || open.is_of_time(&function.formula(&self.names)?) {
+            true => Ok(()),
+            false => Err(PyValueError::new_err(
+                "a path with noise passes a value of a function of coordinates again and again in any time, however short, and where \
+                 depends on the step: write a function of the time alone, such as \"sin(2*t)\"",
+            )),
+        }
     }
 
     /// Returns what is done along the run of a setting.

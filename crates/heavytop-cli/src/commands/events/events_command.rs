@@ -24,7 +24,7 @@ const CSV: Kind<'_> = Kind::of_first_bytes("table of events", b"event,t,");
 /// `out`: the number of the function, from 1, and the columns of `simulate`.
 ///
 /// # Errors
-/// If the request is wrong, or the run is stopped: then nothing is written. If the run fails, the events until then are kept
+/// If the request is wrong, as with noise a function of coordinates is, or the run is stopped: then nothing is written. If the run fails, the events until then are kept
 /// as `OUT.partial`.
 ///
 /// # Example
@@ -44,6 +44,7 @@ pub fn events(config: &Config, out: &Path, watch: &Watch<'_>) -> Result<EventsSu
     let settings = config.events.clone().unwrap_or_default();
     let functions = functions(config, &settings)?;
     let run = run(config)?;
+    require_zeros(&run, &functions)?;
     let table = RunTable::new(&run, &config.output.columns)?;
     let requested = config.top_columns()?;
     require_csv(out)?;
@@ -103,6 +104,20 @@ fn run(config: &Config) -> Result<Box<Experiment>, Error> {
         Some(system) => Box::new(system),
         None => Box::new(config.experiment()?),
     })
+}
+
+/// Checks that zeros do not depend on the step, as those of coordinates along a path with noise do.
+fn require_zeros(run: &Experiment, functions: &EventFunctions) -> Result<(), Error> {
+    let coordinates = run.model.columns().len();
+    let is_of_state = |function: &Formula| (0..coordinates).any(|i| function.depends_on(i));
+    let mut numbered = functions.functions.iter().enumerate();
+    match numbered.find(|(_, function)| is_of_state(function)) {
+        Some((number, function)) if run.model.noise().is_some() => {
+            let key = format!("events.functions[{number}]");
+            Err(Error::NoisyFunction { key, function: function.to_string() })
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Reads the functions whose zeros are to be found.

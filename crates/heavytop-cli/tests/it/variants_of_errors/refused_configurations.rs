@@ -93,7 +93,7 @@ const SECTIONS: [(&str, &str); 7] = [
     ("Error::Kept", FAILING),
 ];
 const SYSTEM_SECTIONS: [(&str, &str); 5] = [
-    ("Error::NoisySurface", "surface = 'Pi1'\n[noise]\nstrength = 0.1"),
+    ("Error::NoisyFunction", "surface = 'Pi1'\n[noise]\nstrength = 0.1"),
     ("Error::NoSurface", "starts = 1"),
     ("Error::SystemSection", "surface = 'x'"),
     ("Error::NeverCrosses", "surface = 'Pi1'\nlongest = 1\nstates = [{ Pi = [1, 0, 0] }]"),

@@ -58,7 +58,8 @@ impl OpenProblem {
             return Err(Error::of_system_section(error));
         }
         if model.as_model().noise().is_some() && !model.system().is_of_time(&surface) {
-            return Err(Error::NoisySurface { surface: text.clone() });
+            let key = "section.surface".into();
+            return Err(Error::NoisyFunction { key, function: text.clone() });
         }
         let own_axes = || first_axes(&model.as_model().columns(), text);
         let texts = settings.axes.clone().or_else(own_axes).ok_or_else(|| {

@@ -139,7 +139,7 @@ fn paths_of_a_noise_have_sections_at_times_alone() {
     let told = done.stderr();
     assert!(
         done.code() == 2
-            && told.contains("surface Pi1 is a function of coordinates")
+            && told.contains("section.surface: Pi1 is a function of coordinates")
             && told.contains("depends on the step"),
         "{told}"
     );

@@ -201,6 +201,37 @@ fn events_are_found_along_motions_with_forces() {
     }
 }
 
+/// A path with noise passes a value of a coordinate as often as the step lets it, and a time once.
+#[test]
+fn events_along_a_path_with_noise_are_those_of_the_time() {
+    let folder = Folder::new();
+    let events = |noise: &str, functions: &str| {
+        folder.write("a.toml", &format!("{SPIN}{noise}[events]\nfunctions = {functions}\n"));
+        folder.heavytop(&["events", "a.toml", "--out", "e.csv", "--force"])
+    };
+    let noise = "[noise]\nstrength = 0.1\n";
+    for functions in ["['Pi3']", "['t - 1', 'Pi3']"] {
+        let done = events(noise, functions);
+        let told = done.stderr();
+        assert_eq!(done.code(), 2, "{told}");
+        for part in [
+            "events.functions[",
+            "Pi3 is a function of coordinates",
+            "depends on the step",
+            "^ write",
+        ] {
+            assert!(told.contains(part), "{part}: {told}");
+        }
+        assert_eq!(folder.names(), ["a.toml"]);
+    }
+    assert!(events(noise, "['t - 1', 'Pi3']").stderr().contains("functions[1]"));
+    succeeded(&events(noise, "['t - 1.5']"));
+    let (_, rows) = numbers(&folder.read("e.csv"));
+    assert!(rows.len() == 1 && (rows[0][1] - 1.5).abs() < 1e-12, "{rows:?}");
+    // Control: without noise a coordinate is as good.
+    succeeded(&events("[damping]\nfriction = 0.1\n", "['Pi3 - 0.1']"));
+}
+
 /// The means are those of the paths, whatever the number of threads, and the first path is that of `simulate`.
 #[test]
 fn an_ensemble_has_means_with_errors_and_quantiles() {
