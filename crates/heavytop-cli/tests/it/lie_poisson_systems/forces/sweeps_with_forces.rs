@@ -241,3 +241,24 @@ fn what_a_sweep_with_forces_does_not_have_is_refused() {
         refused.stderr()
     );
 }
+
+/// σ√h at the largest number of the axis, √(2θkT h) of a temperature, whatever the configuration has.
+#[test]
+fn a_sweep_warns_of_its_strongest_noise() {
+    let folder = Folder::new();
+    let shaken = SPIN.replace("temperature = 0.5", "strength = 0.1");
+    for (base, parameter, to, expected) in [
+        (shaken.as_str(), "noise.strength", 3.0, Some("9.5e-1 rad")),
+        (&shaken, "noise.strength", 0.9, None),
+        (SPIN, "noise.temperature", 45.0, Some("9.5e-1 rad")),
+        (SPIN, "noise.temperature", 4.0, None),
+    ] {
+        let axes = axes(&[(parameter, 0.1, to)]);
+        folder.write("a.toml", &format!("{base}{axes}"));
+        let done = folder.heavytop(&["sweep", "a.toml", "--out", "s", "--restart", "--force"]);
+        let told = done.stderr();
+        assert_eq!(done.code(), 0, "{told}");
+        assert_eq!(told.contains("the noise turns the state"), expected.is_some(), "{told}");
+        assert!(expected.is_none_or(|angle| told.contains(angle)), "{told}");
+    }
+}

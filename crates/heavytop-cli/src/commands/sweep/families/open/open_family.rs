@@ -1,7 +1,7 @@
 //! A family of motions that are driven, damped, noisy or under a torque.
 
 use super::subject::Subject;
-use super::thermal_axes::require_thermal;
+use super::thermal_axes::{ends, require_thermal};
 use crate::commands::sweep::families::course::Course;
 use crate::commands::sweep::families::family::{
     Family, drift_columns, end_columns, own_integration, require_apart,
@@ -26,6 +26,8 @@ pub(in crate::commands::sweep) struct OpenFamily {
     /// The model and the start of the configuration.
     base: OpenModel,
     start: Vec<f64>,
+    /// The model with the strongest noise of the axes, if there is one.
+    strongest: Option<OpenModel>,
     method: Method,
     subject: Subject,
     /// For each axis the number of a force that it varies; `None` for one of the subject.
@@ -65,9 +67,10 @@ impl OpenFamily {
         require_apart(&of_forces, &numbers, |one, other| one == other)?;
         numbers.iter().try_for_each(|number| require_number(number, &mut config))?;
         require_thermal(&config, axes)?;
+        let strongest = strongest(&config, &of_forces, &base);
         let subject = Subject::new(&config, &base, &others)?;
         let integration = Integration { formulation: method.formulation(), ..integration };
-        Ok((Self { config, base, start, method, subject, forces }, integration))
+        Ok((Self { config, base, start, strongest, method, subject, forces }, integration))
     }
 
     /// Returns the member at these values of the axes, which is followed with steps of a size, or with those of the configuration.
@@ -136,6 +139,23 @@ fn number_of<'a>(number: &ForceParameter, config: &'a mut Config) -> Option<&'a 
     }
 }
 
+/// Returns the model with the largest strength or temperature of the axes, whose noise turns states the most. There is none if the
+/// noise is on no axis, or is not possible with the numbers of the configuration.
+fn strongest(config: &Config, axes: &[SweepAxis], base: &OpenModel) -> Option<OpenModel> {
+    let (mut config, mut is_varied) = (config.clone(), false);
+    for axis in axes {
+        let Parameter::Force(force) = &axis.parameter else { continue };
+        if !matches!(force, ForceParameter::Strength | ForceParameter::Temperature) {
+            continue;
+        }
+        if let (Some(number), Some(most)) = (number_of(force, &mut config), ends(axis)[1]) {
+            *number = most;
+            is_varied = true;
+        }
+    }
+    is_varied.then(|| config.open_start(Some(base)).ok()).flatten().map(|start| start.model)
+}
+
 /// Checks that a configuration has a number of a force.
 fn require_number(number: &ForceParameter, config: &mut Config) -> Result<(), SweepError> {
     if number_of(number, config).is_some() {
@@ -176,7 +196,8 @@ impl Family for OpenFamily {
     }
 
     fn accuracy_warning(&self, accuracy: &RunAccuracy) -> Option<String> {
-        self.base.as_model().accuracy_warning(&self.start, accuracy)
+        let model = self.strongest.as_ref().unwrap_or(&self.base);
+        model.as_model().accuracy_warning(&self.start, accuracy)
     }
 
     fn judges_members(&self) -> bool {

@@ -34,7 +34,7 @@ pub(super) fn require_thermal(config: &Config, axes: &[SweepAxis]) -> Result<(),
 }
 
 /// Returns the least and the largest number of an axis; of random ones there is none.
-fn ends(axis: &SweepAxis) -> [Option<f64>; 2] {
+pub(super) fn ends(axis: &SweepAxis) -> [Option<f64>; 2] {
     match axis.spread {
         Spread::Grid { from, count: 1, .. } => [Some(from); 2],
         Spread::Grid { from, to, .. } => [Some(from.min(to)), Some(from.max(to))],
