@@ -147,7 +147,7 @@ pub use dissipation::gilbert_damping::{
     GilbertDamping, GilbertDampingError, SpaceOfSpins, gilbert_element,
 };
 pub use dissipation::noise::{IsotropicNoise, Noise};
-pub use orbits::breakpoints::{BreakpointError, WithBreakpoints};
+pub use orbits::breakpoints::{BreakpointError, WithBreakpoints, nearest_break};
 pub use orbits::control::{Controlled, Inputs, InputsError};
 pub use orbits::inner_product::{InnerProduct, InnerProductError};
 pub use orbits::input_table::{InputTable, InputTableError};

@@ -13,7 +13,7 @@ use crate::schemes::scheme::{Equivariant, Scheme, Step};
 use crate::vector_field::VectorField;
 use lie_poisson::{
     Differential, InTime, Noise, OrbitField, Pair, PathAxis, PathNumber, ProductSpace, Real, Time,
-    TimeAxis, Vector,
+    TimeAxis, Vector, nearest_break,
 };
 use momentum_map::{Identity, Lift, LiftError, PoissonMap, ProductMap, SourcePoint, TargetPoint};
 
@@ -176,7 +176,11 @@ impl<S, M, X, N> Noisy<S, M, X, N> {
         N: Noise<M::Target, T>,
     {
         let field = &self.collective.system().hamiltonian;
-        let next_break = |time, forward| field.next_break(time, forward);
+        let next_break = |time, forward| {
+            let [drift, noise] =
+                [field.next_break(time, forward), self.noise.next_break(time, forward)];
+            nearest_break(drift, noise, forward)
+        };
         let noise = Some((&self.paths, self.rule, self.noise.count()));
         StepParts { interval: self.paths.interval(), noise }.make(
             (path.0, clock.0),

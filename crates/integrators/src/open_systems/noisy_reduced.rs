@@ -11,7 +11,9 @@ use crate::open_systems::paths::brownian_paths::BrownianPaths;
 use crate::open_systems::smooth_pieces::Window;
 use crate::open_systems::step_parts::StepParts;
 use crate::schemes::scheme::Step;
-use lie_poisson::{Differential, Noise, OrbitField, Pair, Point, PoissonSpace, Real, Time, Vector};
+use lie_poisson::{
+    Differential, Noise, OrbitField, Pair, Point, PoissonSpace, Real, Time, Vector, nearest_break,
+};
 use momentum_map::{Identity, InvertibleMultipliers, LiftError, Multiplier, Multipliers};
 
 /// The collective midpoint rule of an [orbit field](OrbitField) ξ with [noise](Noise) σ_k, without a lift: the map of
@@ -229,7 +231,13 @@ where
                 parts.make(
                     (path.0, clock.0),
                     step,
-                    |time, forward| self.field.next_break(time, forward),
+                    |time, forward| {
+                        let [drift, noise] = [
+                            self.field.next_break(time, forward),
+                            self.noise.next_break(time, forward),
+                        ];
+                        nearest_break(drift, noise, forward)
+                    },
                     #[cfg_attr(optimised, inline(always))]
                     |window, part| self.move_by::<T>(state, window, part),
                 )

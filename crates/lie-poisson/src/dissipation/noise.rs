@@ -49,6 +49,14 @@ pub trait Noise<P: PoissonSpace, T: Real = f64> {
     fn is_constant(&self) -> bool {
         false
     }
+
+    /// Returns the next time strictly after `time`, or strictly before it if `forward` is false, at which a field σ_k or a
+    /// derivative of it jumps, such as a time of an [`InputTable`](crate::InputTable). Integrators end a step there, as at the
+    /// [breakpoints of the drift](crate::OrbitField::next_break). There is none by default.
+    fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        let (_, _) = (time, forward);
+        None
+    }
 }
 
 /// A reference to a noise is a noise.
@@ -64,6 +72,10 @@ impl<P: PoissonSpace, T: Real, N: Noise<P, T> + ?Sized> Noise<P, T> for &N {
 
     fn is_constant(&self) -> bool {
         (**self).is_constant()
+    }
+
+    fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        (**self).next_break(time, forward)
     }
 }
 

@@ -21,7 +21,7 @@ use generic_scalars::{Real, State};
 /// | [`Hamiltonian`](crate::Hamiltonian) | `differential` |
 /// | [`SitesHamiltonian`](crate::SitesHamiltonian) | `differential_into` |
 /// | [`OrbitField`](crate::OrbitField) | `element`, `next_break` (always `None`) |
-/// | [`Noise`](crate::Noise) | `is_constant` (always true) |
+/// | [`Noise`](crate::Noise) | `is_constant` (always true), `next_break` (always `None`) |
 ///
 /// The laws of `momentum-map` and `collective-integrators` add their traits, which are listed in their modules
 /// `laws`. The fault of a batch is different and is described there. To implement a trait of your own, call the

@@ -1,16 +1,21 @@
 //! The law suite of [`Noise`].
 
+use super::orbit_field::{breaks, smoothness};
 use super::{Faulty, NoSamples, Report, regimes};
 use crate::brackets::poisson::PoissonSpace;
 use crate::dissipation::noise::Noise;
+use crate::orbits::orbit_field::OrbitField;
 use generic_scalars::{Differential, DualNumber, Point, Real, Vector, larger, map_coordinates};
 
-/// Evaluates the laws of a noise σ_k on samples of points, at two times:
+/// Evaluates the laws of a noise σ_k on samples of points, from the time `begin` to `end`:
 ///
 /// * `linear in the weights`: Σ_k w_k σ_k is the sum of the fields with their weights;
 /// * `dual numbers`: over dual numbers the fields have the values that they have over `f64`;
 /// * `constant`: if the noise [says](Noise::is_constant) that no field depends on μ, they are the same at all samples. Give samples
-///   that differ in every coordinate.
+///   that differ in every coordinate;
+/// * `breaks`, `smoothness`: Σ_k w_k σ_k has these laws of an [orbit field](super::orbit_field), with the breaks that the noise tells.
+///
+/// All but the last two are evaluated at both ends.
 ///
 /// # Errors
 /// Returns [`NoSamples`] if there are no samples.
@@ -56,6 +61,12 @@ where
     let weights: Vec<f64> = (0..count).map(|k| (1.0 + 1.7 * k as f64).sin()).collect();
     let dual_weights: Vec<DualNumber> = weights.iter().map(|w| DualNumber::constant(*w)).collect();
     let points = regimes("points", samples)?;
+    let field = Weighted { noise, weights: &weights };
+    let breaks = breaks::<P>(&field, begin, end, &mut report);
+    for (mu, piece) in points.iter().flat_map(|mu| breaks.windows(2).map(move |piece| (mu, piece)))
+    {
+        smoothness::<P, _>(&field, mu, (piece[0], piece[1]), &mut report);
+    }
     for time in [begin, end] {
         let first = points.first().map(|mu| fields(mu, time)).unwrap_or_default();
         for mu in &points {
@@ -86,7 +97,25 @@ where
     Ok(report)
 }
 
-/// The fault of [`is_constant`](Noise::is_constant) is that it is always true.
+/// The field Σ_k w_k σ_k with fixed weights.
+struct Weighted<'a, N> {
+    noise: &'a N,
+    weights: &'a [f64],
+}
+
+impl<P: PoissonSpace, T: Real, N: Noise<P, T>> OrbitField<P, T> for Weighted<'_, N> {
+    fn element(&self, mu: &Point<P, T>, time: T) -> Differential<P, T> {
+        let weights: Vec<T> = self.weights.iter().map(|w| T::from_f64(*w)).collect();
+        self.noise.element(mu, time, &weights)
+    }
+
+    fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        self.noise.next_break(time, forward)
+    }
+}
+
+/// The fault of [`is_constant`](Noise::is_constant) is that it is always true, and that of [`next_break`](Noise::next_break) that
+/// there is never one.
 impl<P: PoissonSpace, T: Real, N: Noise<P, T>> Noise<P, T> for Faulty<'_, N> {
     fn count(&self) -> usize {
         self.object().count()
@@ -98,5 +127,10 @@ impl<P: PoissonSpace, T: Real, N: Noise<P, T>> Noise<P, T> for Faulty<'_, N> {
 
     fn is_constant(&self) -> bool {
         self.has_fault_in("is_constant") || self.object().is_constant()
+    }
+
+    fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        let is_silent = self.has_fault_in("next_break");
+        self.object().next_break(time, forward).filter(|_| !is_silent)
     }
 }

@@ -70,7 +70,7 @@ where
 }
 
 /// Returns the breaks from `begin` to `end`, with both ends.
-fn breaks<P: PoissonSpace>(
+pub(super) fn breaks<P: PoissonSpace>(
     field: &impl OrbitField<P>,
     begin: f64,
     end: f64,
@@ -113,8 +113,12 @@ where
 const PANELS: u32 = 32;
 
 /// Notes the difference of the change of ξ and the integral of its derivative between two breaks.
-fn smoothness<P, X>(field: &X, mu: &Point<P>, (begin, end): (f64, f64), report: &mut Report)
-where
+pub(super) fn smoothness<P, X>(
+    field: &X,
+    mu: &Point<P>,
+    (begin, end): (f64, f64),
+    report: &mut Report,
+) where
     P: PoissonSpace,
     X: OrbitField<P> + OrbitField<P, DualNumber>,
 {

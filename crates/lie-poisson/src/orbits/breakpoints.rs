@@ -79,12 +79,21 @@ where
 
     fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
         let told = self.field.next_break(time, forward);
-        nearest(told, next_of(&self.times, time, forward), forward)
+        nearest_break(told, next_of(&self.times, time, forward), forward)
     }
 }
 
-/// Returns the earlier of two times, or the later one if `forward` is false.
-pub(crate) fn nearest(one: Option<f64>, other: Option<f64>, forward: bool) -> Option<f64> {
+/// Returns the next breakpoint of a sum from those of its two parts: the earlier one, or the later one if `forward` is false.
+///
+/// # Example
+/// ```
+/// use lie_poisson::nearest_break;
+/// assert_eq!(nearest_break(Some(0.3), Some(0.7), true), Some(0.3));
+/// assert_eq!(nearest_break(Some(0.3), Some(0.7), false), Some(0.7));
+/// assert_eq!(nearest_break(None, Some(0.7), true), Some(0.7));
+/// ```
+#[must_use]
+pub fn nearest_break(one: Option<f64>, other: Option<f64>, forward: bool) -> Option<f64> {
     let nearer = |a: f64, b: f64| if forward { a.min(b) } else { a.max(b) };
     one.into_iter().chain(other).reduce(nearer)
 }

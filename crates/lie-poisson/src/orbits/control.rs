@@ -1,7 +1,7 @@
 //! Controls: [`Controlled`] fields, and [`Inputs`] along fixed elements of the Lie algebra.
 
 use crate::brackets::poisson::PoissonSpace;
-use crate::orbits::breakpoints::nearest;
+use crate::orbits::breakpoints::nearest_break;
 use crate::orbits::input_table::{InputTable, InputTableError};
 use crate::orbits::orbit_field::OrbitField;
 use generic_scalars::{Differential, Point, Real, State, Vector, map_coordinates};
@@ -72,7 +72,7 @@ impl<D: State<Scalar = f64>> Inputs<D> {
     #[must_use]
     pub fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
         let breaks = self.iter().map(|(_, table)| table.next_break(time, forward));
-        breaks.fold(None, |one, other| nearest(one, other, forward))
+        breaks.fold(None, |one, other| nearest_break(one, other, forward))
     }
 
     /// Requires that all inputs are known from `begin` to `end`, in either direction of time.
@@ -147,6 +147,6 @@ where
     fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
         let [field, control] =
             [self.field.next_break(time, forward), self.control.next_break(time, forward)];
-        nearest(field, control, forward)
+        nearest_break(field, control, forward)
     }
 }

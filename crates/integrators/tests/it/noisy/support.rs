@@ -43,6 +43,10 @@ impl<P: PoissonSpace, T: Real> Noise<P, T> for Told {
     fn is_constant(&self) -> bool {
         self.is_constant
     }
+
+    fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        Noise::<P, T>::next_break(&self.noise, time, forward)
+    }
 }
 
 /// The axis of [`AboutAxis`].

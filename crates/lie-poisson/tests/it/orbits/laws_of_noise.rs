@@ -29,6 +29,42 @@ impl<T: Real> Noise<LiePoisson<So3>, T> for Turning {
     }
 }
 
+/// A field about e₃ whose strength is a table.
+struct Tabulated(InputTable);
+
+impl<T: Real> Noise<LiePoisson<So3>, T> for Tabulated {
+    fn count(&self) -> usize {
+        1
+    }
+
+    fn element(&self, _: &Covector<Vector3<T>>, time: T, weights: &[T]) -> Vector3<T> {
+        Vector3::new(T::zero(), T::zero(), weights[0] * self.0.at(time))
+    }
+
+    fn is_constant(&self) -> bool {
+        true
+    }
+
+    fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
+        self.0.next_break(time, forward)
+    }
+}
+
+#[test]
+fn noise_that_tells_no_breaks_is_not_smooth() {
+    let (times, values) = (vec![0.0, 0.45, 1.3, 2.0], vec![0.5, 1.5, 0.2, 0.9]);
+    for kind in [Interpolation::Constant, Interpolation::Linear] {
+        let noise = Tabulated(InputTable::new(times.clone(), values.clone(), kind).unwrap());
+        let space = LiePoisson::minus(So3);
+        for times in [(0.0, 2.0), (2.0, 0.0)] {
+            assert_eq!(broken(&laws::noise(&space, &&noise, times, &samples()).unwrap()), [""; 0]);
+            let silent = Faulty::new(&noise, "next_break", 0);
+            let found = broken(&laws::noise(&space, &silent, times, &samples()).unwrap());
+            assert_eq!(found, ["smoothness"]);
+        }
+    }
+}
+
 #[test]
 fn noise_obeys_its_laws_and_faulty_twins_do_not() {
     let space = LiePoisson::minus(So3);
