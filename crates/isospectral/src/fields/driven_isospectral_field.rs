@@ -2,7 +2,7 @@
 
 use crate::fields::isospectral_field::IsospectralField;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
-use lie_poisson::{Controlled, InputTable, State};
+use lie_poisson::{Controlled, Inputs, State, nearest_break};
 
 /// An isospectral equation whose generator depends on the time, too,
 ///
@@ -11,20 +11,21 @@ use lie_poisson::{Controlled, InputTable, State};
 /// ```
 ///
 /// such as that of a Hamiltonian h(W, t), of inputs or a control law, or of [damping](crate::IsospectralDoubleBracket). The spectrum is
-/// conserved for every B. An equation without the time, an [`IsospectralField`], is one of them; a vector of matrices Ξ_i with their
-/// inputs u_i is the field Σ_i u_i(t) Ξ_i; and a sum of two fields is [`Controlled`].
+/// conserved for every B. An equation without the time, an [`IsospectralField`], is one of them; [`Inputs`] u_i along matrices Ξ_i
+/// are the field Σ_i u_i(t) Ξ_i; and a sum of two fields is [`Controlled`].
 ///
 /// # Example
 /// A pulse of one unit of time that turns W by Ξ: W(3) = exp(2Ξ) W(0) exp(−2Ξ).
 /// ```
 /// use collective_integrators::{BrownianPaths, RungeKutta, Start};
 /// use isospectral_flows::{LargeSkewHermitian, NoisyIsospectral};
-/// use lie_poisson::{InputTable, Interpolation, Pair, PathNumber, Time};
+/// use lie_poisson::{InputTable, Inputs, Interpolation, Pair, PathNumber, Time};
 /// use num_complex::Complex;
 /// let xi = LargeSkewHermitian::from_upper(2, |j, k| Complex::new(0.0, if j == k { 0.5 - j as f64 } else { 0.0 }));
 /// let pulse = InputTable::new(vec![0.0, 1.25, 2.25, 9.0], vec![0.0, 2.0, 0.0, 0.0], Interpolation::Constant)?;
 /// let paths = BrownianPaths::new(1, 0.1)?; // the steps are intervals; there is no noise
-/// let driven = NoisyIsospectral::new(RungeKutta::gauss(2)?, vec![(xi, pulse)], Vec::new(), paths);
+/// let inputs = Inputs::new(vec![(xi, pulse)])?;
+/// let driven = NoisyIsospectral::new(RungeKutta::gauss(2)?, inputs, Vec::new(), paths);
 /// let w = LargeSkewHermitian::from_upper(2, |_, k| Complex::new(k as f64, 0.0));
 /// let end = driven.after(&Pair(w, Pair(PathNumber(0.0), Time(0.0))), 0.1, 30)?.momentum.0;
 /// assert!((end.at(0, 1) - Complex::from_polar(1.0, 2.0)).norm() < 1e-6);
@@ -66,9 +67,9 @@ impl<F: IsospectralField> DrivenIsospectralField for F {
 }
 
 /// The field Σ_i u_i(t) Ξ_i of inputs. It is NaN if a matrix has another size than the first one.
-impl DrivenIsospectralField for Vec<(LargeSkewHermitian, InputTable)> {
+impl DrivenIsospectralField for Inputs<LargeSkewHermitian> {
     fn size(&self) -> usize {
-        self.first().map_or(0, |(xi, _)| xi.size())
+        self.iter().next().map_or(0, |(xi, _)| xi.size())
     }
 
     fn generator_at_into(
@@ -78,7 +79,7 @@ impl DrivenIsospectralField for Vec<(LargeSkewHermitian, InputTable)> {
         generator: &mut LargeSkewHermitian,
     ) {
         generator.set_zero();
-        for (xi, input) in self {
+        for (xi, input) in self.iter() {
             match xi.size() == generator.size() {
                 true => generator.add_multiple(input.at(time), xi),
                 false => return generator.scale_in_place(f64::NAN),
@@ -87,8 +88,7 @@ impl DrivenIsospectralField for Vec<(LargeSkewHermitian, InputTable)> {
     }
 
     fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
-        let breaks = self.iter().map(|(_, input)| input.next_break(time, forward));
-        breaks.fold(None, |one, other| nearest(one, other, forward))
+        Self::next_break(self, time, forward)
     }
 }
 
@@ -114,15 +114,6 @@ impl<X: DrivenIsospectralField, U: DrivenIsospectralField> DrivenIsospectralFiel
     fn next_break(&self, time: f64, forward: bool) -> Option<f64> {
         let [field, control] =
             [self.field.next_break(time, forward), self.control.next_break(time, forward)];
-        nearest(field, control, forward)
-    }
-}
-
-/// Returns the break that comes first.
-fn nearest(one: Option<f64>, other: Option<f64>, forward: bool) -> Option<f64> {
-    match (one, other) {
-        (Some(one), Some(other)) if forward => Some(one.min(other)),
-        (Some(one), Some(other)) => Some(one.max(other)),
-        (one, other) => one.or(other),
+        nearest_break(field, control, forward)
     }
 }

@@ -6,8 +6,8 @@ use isospectral_flows::collective_integrators::{
     fitted_order,
 };
 use isospectral_flows::lie_poisson::{
-    Controlled, DissipationError, InputTable, Interpolation, Pair, PathNumber, Sign, State, Time,
-    larger,
+    Controlled, DissipationError, InputTable, Inputs, Interpolation, Pair, PathNumber, Sign, State,
+    Time, larger,
 };
 use isospectral_flows::{
     DrivenIsospectralField, IsospectralDoubleBracket, IsospectralField, IsospectralNoise,
@@ -65,8 +65,8 @@ fn table(kind: Interpolation) -> InputTable {
 
 /// Inputs along two matrices that do not commute, beside the equation.
 fn controlled(kind: Interpolation) -> impl DrivenIsospectralField {
-    let inputs = vec![(generic(SIZE, 1.0), table(kind)), (generic(SIZE, 2.0), table(kind))];
-    Controlled { field: Quadratic(SIZE), control: inputs }
+    let inputs = [1.0, 2.0].map(|seed| (generic(SIZE, seed), table(kind)));
+    Controlled { field: Quadratic(SIZE), control: Inputs::new(inputs.into()).unwrap() }
 }
 
 /// Returns the order of the midpoint rule to t = 1.
@@ -112,7 +112,8 @@ fn driven_steps_have_the_order_two_and_keep_the_spectrum() {
 /// The field without the time is that of the method without it, to the bit.
 #[test]
 fn inputs_are_what_they_are() {
-    let inputs = vec![(generic(SIZE, 1.0), table(Interpolation::Linear))];
+    let one = |size| vec![(generic(size, 1.0), table(Interpolation::Linear))];
+    let inputs = Inputs::new(one(SIZE)).unwrap();
     let (mut generator, mut expected) = (generic(SIZE, 9.0), generic(SIZE, 1.0));
     inputs.generator_at_into(&generic(SIZE, 0.3), 1.1, &mut generator);
     expected.scale_in_place(table(Interpolation::Linear).at(1.1));
@@ -121,7 +122,7 @@ fn inputs_are_what_they_are() {
         [true, false].map(|forward| inputs.next_break(0.5, forward)),
         [Some(0.71), Some(0.33)]
     );
-    let other = vec![(generic(SIZE + 1, 1.0), table(Interpolation::Linear))];
+    let other = Inputs::new(one(SIZE + 1)).unwrap();
     other.generator_at_into(&generic(SIZE, 0.3), 1.1, &mut generator);
     assert!(generator.norm().is_nan());
     let motion = NoisyIsospectral::new(

@@ -7,7 +7,9 @@ use lie_poisson_systems::isospectral_flows::{
     DrivenIsospectralField, IsospectralDoubleBracket, IsospectralField, IsospectralNoise,
     IsotropicIsospectralNoise, LargeSkewHermitian, NoisyIsospectral, Products,
 };
-use lie_poisson_systems::lie_poisson::{Controlled, InputTable, Interpolation, Sign, State};
+use lie_poisson_systems::lie_poisson::{
+    Controlled, InputTable, Inputs, Interpolation, Sign, State,
+};
 use lie_poisson_systems::{HarmonicNoise, Zeitlin};
 
 const SIZE: usize = 16;
@@ -109,11 +111,11 @@ fn drift_with(field: &str, steps: u64) -> f64 {
             drift_of((Oscillating(fluid(), stream(3)), NO_NOISE, together), steps)
         }
         "inputs by tables" => {
-            let inputs = vec![
+            let inputs = Inputs::new(vec![
                 (stream(2), table(Interpolation::Constant)),
                 (stream(5), table(Interpolation::Linear)),
-            ];
-            let field = Controlled { field: fluid(), control: inputs };
+            ]);
+            let field = Controlled { field: fluid(), control: inputs.unwrap() };
             drift_of((field, NO_NOISE, together), steps)
         }
         "a control law" => {
