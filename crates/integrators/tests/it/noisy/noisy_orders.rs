@@ -53,18 +53,42 @@ impl<T: Real> Noise<LiePoisson<So3>, T> for Commuting {
     }
 }
 
-/// Returns the root mean square distances of paths from those of a much smaller step, for steps of 1/4, 1/8, ….
-fn strong_errors<N: Noise<LiePoisson<So3>>>(noise: impl Fn() -> N, paths: u64) -> Vec<(f64, f64)> {
-    let fine = 1.0 / 256.0;
-    let noisy = spin((NoiseRule::Together, 1), noise(), fine);
-    let ends = |path: u64, step: f64| {
-        let start = on_path(Covector(start()), path);
-        noisy.after(&start, step, (1.0 / step).round() as u64).unwrap().momentum.0.0
-    };
-    let reference: Vec<_> = (0..paths).map(|path| ends(path, fine)).collect();
-    let errors = [0.25, 0.125, 0.0625, 0.03125].map(|step| {
+/// Fields along the first axes whose strengths depend on the spin, (0.6 + 0.5 Π₁) e₁ and (0.6 + 0.5 Π₂) e₂.
+struct Following(usize);
+
+impl<T: Real> Noise<LiePoisson<So3>, T> for Following {
+    fn count(&self) -> usize {
+        self.0
+    }
+
+    fn element(&self, Covector(s): &Covector<Vector3<T>>, _: T, weights: &[T]) -> Vector3<T> {
+        let second = weights.get(1).map_or(T::zero(), |weight| *weight * (s.y * 0.5 + 0.6));
+        Vector3::new(weights[0] * (s.x * 0.5 + 0.6), second, T::zero())
+    }
+}
+
+/// Returns the end of a path at t = 1.
+fn end_of_path<N>(noisy: &Spin<N>, path: u64, step: f64) -> Vector3<f64>
+where
+    N: Noise<LiePoisson<So3>>,
+{
+    let start = on_path(Covector(start()), path);
+    noisy.after(&start, step, (1.0 / step).round() as u64).unwrap().momentum.0.0
+}
+
+/// Returns the root mean square distances of paths from those of a step `fine` with all noise together, for 64, 32, 16 and 8 of
+/// these steps.
+fn strong_errors<N: Noise<LiePoisson<So3>>>(
+    rule: NoiseRule,
+    noise: impl Fn() -> N,
+    (paths, fine): (u64, f64),
+) -> Vec<(f64, f64)> {
+    let [noisy, other] = [rule, NoiseRule::Together].map(|rule| spin((rule, 1), noise(), fine));
+    let reference: Vec<_> = (0..paths).map(|path| end_of_path(&other, path, fine)).collect();
+    let errors = [64.0, 32.0, 16.0, 8.0].map(|count| {
+        let (step, squares) = (count * fine, (0..).zip(&reference));
         let squares =
-            (0..).zip(&reference).map(|(path, end)| (ends(path, step) - end).norm_squared());
+            squares.map(|(path, end)| (end_of_path(&noisy, path, step) - end).norm_squared());
         (step, (squares.sum::<f64>() / paths as f64).sqrt())
     });
     errors.into()
@@ -73,12 +97,84 @@ fn strong_errors<N: Noise<LiePoisson<So3>>>(noise: impl Fn() -> N, paths: u64) -
 #[test]
 #[ignore = "long"]
 fn the_strong_order_is_one_half_or_one_if_the_noise_commutes() {
-    let any = strong_errors(noise, 60);
+    let any = strong_errors(NoiseRule::Together, noise, (60, 1.0 / 256.0));
     let order = fitted_order(&any, 1e-14).unwrap();
     assert!((order - 0.5).abs() < 0.15, "{order} {any:?}");
-    let commuting = strong_errors(|| Commuting, 60);
+    let commuting = strong_errors(NoiseRule::Together, || Commuting, (60, 1.0 / 256.0));
     let order = fitted_order(&commuting, 1e-14).unwrap();
     assert!((order - 1.0).abs() < 0.2, "{order} {commuting:?}");
+}
+
+/// One field commutes with itself, whatever its strength depends on.
+#[test]
+#[ignore = "long"]
+fn noise_that_follows_the_spin_has_the_strong_orders_of_noise_that_does_not() {
+    for rule in [NoiseRule::Together, NoiseRule::Alternating] {
+        for (count, expected) in [(2, 0.5), (1, 1.0)] {
+            let errors = strong_errors(rule, || Following(count), (100, 1.0 / 2048.0));
+            let order = fitted_order(&errors, 1e-14).unwrap();
+            assert!((order - expected).abs() < 0.2, "{rule:?} {count}: {order} {errors:?}");
+        }
+    }
+}
+
+/// A field along e₃ as strong as a function of Π₃, which is constant along its turns.
+struct OfLatitude;
+
+fn strength<T: Real>(z: T) -> T {
+    z * z * 0.8 + 0.5
+}
+
+impl<T: Real> Noise<LiePoisson<So3>, T> for OfLatitude {
+    fn count(&self) -> usize {
+        1
+    }
+
+    fn element(&self, Covector(s): &Covector<Vector3<T>>, _: T, weights: &[T]) -> Vector3<T> {
+        Vector3::new(T::zero(), T::zero(), weights[0] * strength(s.z))
+    }
+}
+
+/// Returns the strong and the weak errors at t = 1 against the turns by −1 − σ(Π₃) W(1) on the same paths, relative to which the
+/// errors of sampling are small.
+fn errors_at_latitudes(method: (NoiseRule, usize)) -> [Vec<(f64, f64)>; 2] {
+    let (paths, fine) = (200, 1.0 / 32.0);
+    let noisy = spin(method, OfLatitude, fine);
+    let exact = |path| {
+        let mut increment = [0.0];
+        noisy.paths().write_increments(path, 0.0, 32.0, &mut increment);
+        let angle = -1.0 - strength(start().z) * increment[0];
+        Rotation3::from_axis_angle(&Vector3::z_axis(), angle) * start()
+    };
+    let errors = [0.25, 0.125, 0.0625, 0.03125].map(|step| {
+        let (mut squares, mut mean) = (0.0, Vector3::zeros());
+        for path in 0..paths {
+            let error = end_of_path(&noisy, path, step) - exact(path);
+            squares += error.norm_squared() / paths as f64;
+            mean += error / paths as f64;
+        }
+        (step, squares.sqrt(), mean.norm())
+    });
+    [errors.map(|(step, error, _)| (step, error)), errors.map(|(step, _, error)| (step, error))]
+        .map(Vec::from)
+}
+
+/// The midpoint rule misses a turn by φ by φ³/12, and that of two stages by φ⁵/720, with φ² of the size h.
+#[test]
+fn noise_that_depends_on_the_state_has_orders_one_and_two() {
+    let (together, alternating) = (NoiseRule::Together, NoiseRule::Alternating);
+    for (method, expected) in [
+        ((together, 1), 1.0),
+        ((alternating, 1), 1.0),
+        ((together, 2), 2.0),
+        ((alternating, 2), 2.0),
+    ] {
+        let [strong, weak] = errors_at_latitudes(method);
+        for errors in [strong, weak] {
+            let order = fitted_order(&errors, 1e-14).unwrap();
+            assert!((order - expected).abs() < 0.25, "{method:?}: {order} {errors:?}");
+        }
+    }
 }
 
 /// A rule, the number of stages of Gauss's method, and whether the noise says that it is constant.
