@@ -237,6 +237,30 @@ impl SystemKind {
         self.orbit.is_some() && parameter == ECCENTRICITY
     }
 
+    /// Returns the parameters with the rate n and the tide n² of a circle about a centre, `orbit_rate` and `orbit_tide`, which are numbers
+    /// then, for formulas that may be of an ellipse, too. Other parameters stay as they are.
+    ///
+    /// # Errors
+    /// Those of [`orbit`](Self::orbit), and [`FormulaSystemError::Parameters`] if a name is there already.
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson_formula_systems::SystemKind;
+    /// use lie_poisson_formulas::Parameters;
+    /// let satellite = Parameters::new().vector("I", &[2.0, 3.0, 1.5])?.number("n", 3.0)?;
+    /// let named = SystemKind::named("satellite")?.with_circle(satellite)?;
+    /// assert_eq!(named.values("orbit_tide"), Some(&[9.0][..]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_circle(&self, parameters: Parameters) -> Result<Parameters, FormulaSystemError> {
+        let is_circle = self.orbit.is_some() && self.orbit(&parameters)?.is_none();
+        let rate = parameters.values("n").and_then(|values| values.first().copied());
+        let Some(n) = rate.filter(|_| is_circle) else { return Ok(parameters) };
+        let [rate, tide] = ORBIT;
+        let named = parameters.number(rate, n).and_then(|named| named.number(tide, n * n));
+        named.map_err(FormulaSystemError::Parameters)
+    }
+
     fn require_closed(&self, parameters: &Parameters) -> Result<(), FormulaSystemError> {
         let Some(orbit) = self.orbit(parameters)? else { return Ok(()) };
         let needed =

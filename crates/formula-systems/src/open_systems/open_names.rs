@@ -67,7 +67,8 @@ impl OpenNames {
                 Some(near) => kind.system_near(near, &parameters)?,
                 None => kind.system(&parameters)?,
             };
-            let names = Self::new(base.algebra().clone(), inputs, parameters)?;
+            let named = kind.with_circle(parameters)?;
+            let names = Self::new(base.algebra().clone(), inputs, named)?;
             return Ok((base, names, None));
         }
         let own = kind.description(&parameters)?;

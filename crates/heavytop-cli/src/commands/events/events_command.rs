@@ -130,7 +130,7 @@ fn functions(config: &Config, settings: &EventsConfig) -> Result<EventFunctions,
         return Err(Error::OutOfRange { name, range, value: 0.0 });
     }
     let (algebra, parameters) = match config.system()? {
-        Some(table) => (config.algebra_of(table)?, table.parameters()?),
+        Some(table) => (config.algebra_of(table)?, table.named_parameters()?),
         None => (SystemAlgebra::named("se(3)")?, Parameters::new()),
     };
     let names = config.named_inputs()?.vocabulary_of_functions(&algebra, &parameters)?;

@@ -156,6 +156,18 @@ impl SystemConfig {
         }
     }
 
+    /// Returns the parameters that formulas may name, with the rate and the tide of a circle about a centre.
+    ///
+    /// # Errors
+    /// Those of [`orbit`](Self::orbit).
+    pub(crate) fn named_parameters(&self) -> Result<Parameters, Error> {
+        let parameters = self.parameters()?;
+        match self.known_kind() {
+            Some(kind) => Ok(kind.with_circle(parameters)?),
+            None => Ok(parameters),
+        }
+    }
+
     /// Returns whether the Hamiltonian depends on the time with some values of a parameter, and with others not.
     pub(crate) fn opens_with(&self, parameter: &str) -> bool {
         self.known_kind().is_some_and(|kind| kind.opens_with(parameter))

@@ -104,6 +104,26 @@ fn sweeps_go_over_the_eccentricity_from_the_circle_on() {
     }
 }
 
+/// A sweep of a torque that goes with the tide begins on the circle.
+#[test]
+fn formulas_name_the_rate_and_the_tide_of_a_circle() {
+    let folder = Folder::new();
+    let circle = BOOM.replace("eccentricity = 0.001", "eccentricity = 0");
+    let torque = |formula: &str| format!("{circle}\n[torque]\nPi = [0, '{formula}', 0]\n");
+    let by_names = rows(&folder, &torque("3*orbit_tide + 0.001*orbit_rate")).1;
+    assert_eq!(by_names, rows(&folder, &torque("3*n^2 + 0.001*n")).1);
+    assert_ne!(by_names, rows(&folder, &torque("3*n^2")).1);
+    folder.write("a.toml", &circle);
+    let functions = "events.functions=[\"Pi2 - 120*orbit_rate\"]";
+    succeeded(&folder.heavytop(&["events", "a.toml", "--set", functions, "--out", "e.csv"]));
+    let sweep = "\n[sweep]\nobservables = ['final-state']\n[[sweep.axes]]\n\
+                 parameter = 'system.parameters.eccentricity'\nfrom = 0\nto = 0.2\ncount = 2\n";
+    folder.write("s.toml", &(torque("3*orbit_tide") + sweep));
+    succeeded(&folder.heavytop(&["sweep", "s.toml", "--out", "s"]));
+    let table = folder.read("s/sweep.csv");
+    assert!(table.lines().count() == 3 && !table.contains("error"), "{table}");
+}
+
 #[test]
 fn impossible_orbits_are_refused_before_anything_is_written() {
     let folder = Folder::new();

@@ -45,7 +45,7 @@ impl OpenProblem {
         let own = Integration { formulation: method.formulation(), ..Integration::default() };
         require_inputs(config, &model, (settings.longest, config.integrator.or(own)))?;
         let parameters = match config.system()? {
-            Some(table) => table.parameters()?,
+            Some(table) => table.named_parameters()?,
             None => Parameters::new(),
         };
         let algebra = model.system().base().algebra();
