@@ -146,14 +146,24 @@ fn controlled<A: LieAlgebra, U>(control: U) -> Controlled<Autonomous<Automatic<Q
     Controlled { field: Autonomous(Automatic(Quadratic(PhantomData))), control }
 }
 
-/// Returns the largest deviations along inputs and by a control law, each for a spin and two, and with Gilbert's damping.
-fn deviations_of_others(steps: usize) -> [f64; 5] {
-    let (run, pair) = ((0.0, steps), || PowerMap::<_, 2>(HOPF));
+/// Returns the largest deviations along inputs, in the order of [`deviations`], then by a control law, and with Gilbert's damping.
+fn deviations_of_others(steps: usize) -> [f64; 9] {
+    let (run, pair, unitary) = ((0.0, steps), || PowerMap::<_, 2>(HOPF), unitary_realisation::<3>);
     let gilbert = GilbertDamping::new(HOPF.target(), Sines, 0.3).unwrap();
+    // Orbits of se(3)∗ are not bounded, so that a quadratic energy would need ever smaller steps.
+    let both = Controlled { field: inputs(steps), control: Sines };
     [
         deviation::<_, So3, _>((HOPF, inputs(steps)), &spin(), run),
+        deviation::<_, Se3, _>((PARTICLE, inputs(steps)), &top(), run),
+        deviation::<_, UnitaryAlgebra<3>, _>(
+            (unitary(), controlled(inputs(steps))),
+            &coherent(),
+            run,
+        ),
         deviation::<_, PowerAlgebra<So3, 2>, _>((pair(), controlled(inputs(steps))), &two(), run),
         deviation::<_, So3, _>((HOPF, controlled(Sines)), &spin(), run),
+        deviation::<_, Se3, _>((PARTICLE, both), &top(), run),
+        deviation::<_, UnitaryAlgebra<3>, _>((unitary(), controlled(Sines)), &coherent(), run),
         deviation::<_, PowerAlgebra<So3, 2>, _>((pair(), controlled(Sines)), &two(), run),
         deviation::<_, So3, _>((HOPF, gilbert), &spin(), run),
     ]
