@@ -11,10 +11,10 @@ use heavytop::methods::Method;
 use lie_poisson::{Pair, Time};
 
 impl Experiment {
-    /// Measures the [balances](Model::balances) of the run.
+    /// Measures the balances of the run.
     ///
     /// # Errors
-    /// Those of [`Model::balances`].
+    /// Returns [`RunFailure::NoBalance`] for a motion whose forces have no rates, and the error of a step that fails.
     pub fn balances(
         &self,
         going: &dyn Fn() -> bool,
