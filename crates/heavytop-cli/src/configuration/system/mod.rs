@@ -3,6 +3,7 @@
 mod numbers;
 mod table_file;
 mod system_config;
+mod system_in_time;
 mod arrays_of_system;
 
 pub use numbers::Numbers;
