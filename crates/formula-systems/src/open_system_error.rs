@@ -149,12 +149,8 @@ impl OpenSystemError {
     /// Returns [`Dissipation`](Self::Dissipation) for a number that is negative or not finite, and
     /// [`TemperatureWithoutFriction`](Self::TemperatureWithoutFriction).
     pub fn require_thermal(friction: f64, temperature: f64) -> Result<(), Self> {
-        if !(friction >= 0.0 && friction.is_finite()) {
-            return Err(DissipationError::Friction { friction }.into());
-        }
-        if !(temperature >= 0.0 && temperature.is_finite()) {
-            return Err(DissipationError::Temperature { temperature }.into());
-        }
+        DissipationError::require_friction(friction)?;
+        DissipationError::require_temperature(temperature)?;
         if friction == 0.0 && temperature > 0.0 {
             return Err(Self::TemperatureWithoutFriction { temperature });
         }

@@ -146,7 +146,7 @@ pub use dissipation::double_bracket::DoubleBracket;
 pub use dissipation::gilbert_damping::{
     GilbertDamping, GilbertDampingError, SpaceOfSpins, gilbert_element,
 };
-pub use dissipation::noise::{IsotropicNoise, Noise};
+pub use dissipation::noise::{IsotropicNoise, Noise, thermal_strength};
 pub use orbits::breakpoints::{BreakpointError, WithBreakpoints, nearest_break};
 pub use orbits::control::{Controlled, Inputs, InputsError};
 pub use orbits::inner_product::{InnerProduct, InnerProductError};

@@ -61,9 +61,7 @@ impl<F: DrivenIsospectralField> IsospectralDoubleBracket<F> {
     /// # Errors
     /// Returns [`DissipationError::Friction`] if θ is negative, infinite or NaN.
     pub fn new(field: F, friction: f64, sign: Sign) -> Result<Self, DissipationError> {
-        if !(friction >= 0.0 && friction.is_finite()) {
-            return Err(DissipationError::Friction { friction });
-        }
+        DissipationError::require_friction(friction)?;
         let factor = match sign {
             Sign::Minus => -friction,
             Sign::Plus => friction,

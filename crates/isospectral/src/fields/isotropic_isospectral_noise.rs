@@ -2,7 +2,7 @@
 
 use crate::fields::isospectral_noise::IsospectralNoise;
 use crate::matrices::skew_hermitian::LargeSkewHermitian;
-use lie_poisson::{DissipationError, State};
+use lie_poisson::{DissipationError, State, thermal_strength};
 
 /// Noise that is the same in all directions of u(N): Ξ_k = σ E_k with N² matrices E_k that are orthonormal for ⟨V, W⟩ = −tr(V W).
 ///
@@ -41,15 +41,9 @@ impl IsotropicIsospectralNoise {
         size: usize,
         (friction, temperature): (f64, f64),
     ) -> Result<Self, DissipationError> {
-        if !(friction >= 0.0 && friction.is_finite()) {
-            return Err(DissipationError::Friction { friction });
-        }
-        if !(temperature >= 0.0 && temperature.is_finite()) {
-            return Err(DissipationError::Temperature { temperature });
-        }
-        // Roots of both, since the product may overflow.
-        let strength = 2.0_f64.sqrt() * friction.sqrt() * temperature.sqrt();
-        Ok(Self { size, strength })
+        DissipationError::require_friction(friction)?;
+        DissipationError::require_temperature(temperature)?;
+        Ok(Self { size, strength: thermal_strength(friction, temperature) })
     }
 }
 

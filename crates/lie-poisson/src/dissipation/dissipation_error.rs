@@ -20,10 +20,26 @@ pub enum DissipationError {
     },
 }
 
-/// Requires that a friction is a finite number of at least 0.
-pub(crate) fn require_friction(friction: f64) -> Result<(), DissipationError> {
-    match friction >= 0.0 && friction.is_finite() {
-        true => Ok(()),
-        false => Err(DissipationError::Friction { friction }),
+impl DissipationError {
+    /// Requires that a friction is 0 or positive.
+    ///
+    /// # Errors
+    /// Returns [`Friction`](Self::Friction) for one that is negative, infinite or NaN.
+    pub fn require_friction(friction: f64) -> Result<(), Self> {
+        match friction >= 0.0 && friction.is_finite() {
+            true => Ok(()),
+            false => Err(Self::Friction { friction }),
+        }
+    }
+
+    /// Requires that a temperature is 0 or positive.
+    ///
+    /// # Errors
+    /// Returns [`Temperature`](Self::Temperature) for one that is negative, infinite or NaN.
+    pub fn require_temperature(temperature: f64) -> Result<(), Self> {
+        match temperature >= 0.0 && temperature.is_finite() {
+            true => Ok(()),
+            false => Err(Self::Temperature { temperature }),
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! Dissipation that stays on coadjoint orbits: [`DoubleBracket`].
 
 use crate::brackets::poisson::PoissonSpace;
-use crate::dissipation::dissipation_error::{DissipationError, require_friction};
+use crate::dissipation::dissipation_error::DissipationError;
 use crate::orbits::inner_product::InnerProduct;
 use crate::orbits::orbit_field::OrbitField;
 use generic_scalars::{Differential, Point, Real, Vector};
@@ -55,7 +55,7 @@ impl<P, X> DoubleBracket<P, X> {
         friction: f64,
         inner_product: InnerProduct,
     ) -> Result<Self, DissipationError> {
-        require_friction(friction)?;
+        DissipationError::require_friction(friction)?;
         Ok(Self { space, field, friction, inner_product })
     }
 

@@ -1,7 +1,7 @@
 //! Noise that moves along coadjoint orbits: [`Noise`], [`IsotropicNoise`].
 
 use crate::brackets::poisson::PoissonSpace;
-use crate::dissipation::dissipation_error::{DissipationError, require_friction};
+use crate::dissipation::dissipation_error::DissipationError;
 use crate::orbits::inner_product::InnerProduct;
 use generic_scalars::{Differential, Point, Real, Vector};
 
@@ -111,14 +111,22 @@ impl IsotropicNoise {
         inner_product: InnerProduct,
         (friction, temperature): (f64, f64),
     ) -> Result<Self, DissipationError> {
-        require_friction(friction)?;
-        if !(temperature >= 0.0 && temperature.is_finite()) {
-            return Err(DissipationError::Temperature { temperature });
-        }
-        // Roots of both, since the product may overflow.
-        let strength = 2.0_f64.sqrt() * friction.sqrt() * temperature.sqrt();
-        Ok(Self { inner_product, strength })
+        DissipationError::require_friction(friction)?;
+        DissipationError::require_temperature(temperature)?;
+        Ok(Self { inner_product, strength: thermal_strength(friction, temperature) })
     }
+}
+
+/// Returns the strength σ = √(2θkT) of the noise that goes with a friction θ at the energy kT, both 0 or positive.
+///
+/// ```
+/// use lie_poisson::thermal_strength;
+/// assert!((thermal_strength(0.5, 4.0) - 2.0).abs() < 1e-15);
+/// assert!((thermal_strength(1e200, 2e200) / 2e200 - 1.0).abs() < 1e-15); // the product would overflow
+/// ```
+#[must_use]
+pub fn thermal_strength(friction: f64, temperature: f64) -> f64 {
+    2.0_f64.sqrt() * friction.sqrt() * temperature.sqrt()
 }
 
 impl<P: PoissonSpace, T: Real> Noise<P, T> for IsotropicNoise {

@@ -1,5 +1,6 @@
 //! The rotation of one spin in a step at a temperature: [`SiteConstants`], [`SpinDamping`].
 
+use lie_poisson::thermal_strength;
 use nalgebra::Vector3;
 
 /// The damping of spins at a temperature.
@@ -71,8 +72,7 @@ impl SiteConstants {
         step: f64,
     ) -> Self {
         let [factor, friction] = damping.constants(spin.norm());
-        // Roots of both, since the product may overflow.
-        let strength = 2.0_f64.sqrt() * friction.sqrt() * temperature.sqrt();
+        let strength = thermal_strength(friction, temperature);
         // In a step of size 0 there is no noise.
         let rate = if step == 0.0 { 0.0 } else { strength / step };
         let noise = increments * rate;

@@ -8,7 +8,7 @@ use super::opened::{Opened, Opening};
 use crate::arrays::sites::open_lattice::OpenLattice;
 use crate::arrays::sites::sites_system::{Momenta, momenta, numbers, total};
 use collective_integrators::{AnyIntegrator, StageSolver};
-use lie_poisson::{Sites, SitesHamiltonian, State, larger};
+use lie_poisson::{Sites, SitesHamiltonian, State, larger, thermal_strength};
 use lie_poisson_formula_systems::{FormulaSystemError, OpenSystemError};
 use lie_poisson_systems::{FieldInTime, LangevinSpins, SpinDamping};
 use nalgebra::Vector3;
@@ -94,7 +94,7 @@ impl Opened for OpenedLattice {
     fn noise_angle(&self, state: &[f64], step: f64) -> f64 {
         let friction = |spin: &Vector3<f64>| self.damping.friction(spin.norm());
         let friction = momenta(state).0.iter().map(friction).fold(0.0, larger);
-        2.0_f64.sqrt() * friction.sqrt() * self.temperature.sqrt() * step.abs().sqrt()
+        thermal_strength(friction, self.temperature) * step.abs().sqrt()
     }
 
     fn integrator(&self, tolerance: f64, path: u64) -> AnyIntegrator {
