@@ -4,6 +4,7 @@
 use fuzz_targets::{
     cases, goes_on, kind_of_case, line, method_of_case, names_of_kinds, names_of_methods, targets,
 };
+use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -17,7 +18,7 @@ fn corpus(name: &str) -> Vec<Vec<u8>> {
 /// Returns the cases for which a target panics.
 fn broken(run: fn(&[u8]), cases: &[Vec<u8>]) -> Vec<String> {
     let holds = |case: &Vec<u8>| catch_unwind(AssertUnwindSafe(|| run(case))).is_ok();
-    cases.iter().filter(|case| !holds(case)).map(|case| line(case)).collect()
+    cases.par_iter().filter(|case| !holds(case)).map(|case| line(case)).collect()
 }
 
 #[test]

@@ -54,9 +54,6 @@ fn near(range: std::ops::Range<f64>) -> impl Strategy<Value = [f64; 9]> {
 }
 
 proptest! {
-    // Each case searches for Casimirs.
-    #![proptest_config(ProptestConfig::with_cases(32))]
-
     /// Free rotors keep their angular momenta, so that the body moves as a gyrostat.
     #[test]
     fn a_body_with_rotors_moves_as_a_gyrostat(

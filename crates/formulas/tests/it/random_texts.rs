@@ -48,21 +48,11 @@ fn prints_to_itself(text: &str) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
-
     #[test]
-    fn printed_formulas_parse_to_themselves(text in scalar()) {
-        prints_to_itself(&text)?;
-    }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
-
-    #[test]
-    #[ignore = "long"]
-    fn many_printed_formulas_parse_to_themselves(text in scalar()) {
-        prints_to_itself(&text)?;
+    fn printed_formulas_parse_to_themselves(texts in prop::collection::vec(scalar(), 25)) {
+        for text in texts {
+            prints_to_itself(&text)?;
+        }
     }
 }
 

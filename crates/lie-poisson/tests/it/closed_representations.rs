@@ -68,8 +68,6 @@ fn coadjoint_agrees<G: LieGroup>(group: &G, x: &[f64]) -> Result<(), TestCaseErr
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
-
     #[test]
     fn transposes_and_diamond_products(x in prop::collection::vec(-2.0..2.0, 23)) {
         agrees(SO2OnR2, &x)?;

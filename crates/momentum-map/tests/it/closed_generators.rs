@@ -130,8 +130,6 @@ fn quadratic_momentum_maps_agree(x: &[f64]) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 4, ..ProptestConfig::default() })]
-
     #[test]
     fn linear_actions(x in coordinates()) {
         linear_actions_agree(&x)?;
@@ -154,20 +152,6 @@ proptest! {
 
     #[test]
     fn quadratic_momentum_maps(x in coordinates()) {
-        quadratic_momentum_maps_agree(&x)?;
-    }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
-
-    #[test]
-    #[ignore = "long"]
-    fn many_coordinates(x in coordinates()) {
-        linear_actions_agree(&x)?;
-        affine_actions_agree(&x)?;
-        actions_on_products_agree(&x)?;
-        cotangent_lifts_agree(&x)?;
         quadratic_momentum_maps_agree(&x)?;
     }
 }

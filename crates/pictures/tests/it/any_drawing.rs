@@ -13,8 +13,6 @@ fn number() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, ..ProptestConfig::default() })]
-
     #[test]
     fn any_characters_have_an_outcome(text in "\\PC*") {
         let _ = (outlined(&text), boxes(&text), width(&text), Picture::new(&text));

@@ -201,7 +201,7 @@ fn components_of_the_noise_turn_a_spin_exactly() {
     }
 }
 
-/// ⟨s₃⟩ = L (coth x − 1/x) with x = BL/kT for a spin of length L, by the means of 100 paths.
+/// ⟨s₃⟩ = L (coth x − 1/x) with x = BL/kT for a spin of length L, by the means of 60 paths.
 #[test]
 #[ignore = "long"]
 fn spins_of_two_lengths_at_a_temperature_have_langevins_means() {
@@ -210,13 +210,13 @@ fn spins_of_two_lengths_at_a_temperature_have_langevins_means() {
     let start = [1.0, 0.0, 0.0, 0.0, 2.0, 0.0];
     let integrator =
         pair.tangent_integrator(&method(&pair, "collective", "gauss-4"), &start).unwrap();
-    let means: Vec<[f64; 2]> = (0..100)
+    let means: Vec<[f64; 2]> = (0..60)
         .map(|path| {
             let mut state = integrator.start(&AnyState::from_slice(&start)).unwrap();
             pair.move_path(state.as_mut_slice(), path);
             let run = integrator.trajectory_from(state, 0.05);
-            let late: Vec<_> = run.map(Result::unwrap).skip(400).step_by(20).take(80).collect();
-            [2, 5].map(|i| late.iter().map(|at| at.momentum.as_slice()[i]).sum::<f64>() / 80.0)
+            let late: Vec<_> = run.map(Result::unwrap).skip(200).step_by(20).take(60).collect();
+            [2, 5].map(|i| late.iter().map(|at| at.momentum.as_slice()[i]).sum::<f64>() / 60.0)
         })
         .collect();
     let n = means.len() as f64;
@@ -226,7 +226,7 @@ fn spins_of_two_lengths_at_a_temperature_have_langevins_means() {
         let error = (square / (n * (n - 1.0))).sqrt();
         let langevin = |x: f64| length * (x.tanh().recip() - x.recip());
         let exact = langevin(2.0 * length);
-        assert!((mean - exact).abs() < 4.0 * error && error < 0.03, "{mean} ± {error}: {exact}");
+        assert!((mean - exact).abs() < 4.0 * error && error < 0.04, "{mean} ± {error}: {exact}");
         assert!((mean - langevin(length)).abs() > 4.0 * error, "control: {mean} ± {error}");
     }
 }

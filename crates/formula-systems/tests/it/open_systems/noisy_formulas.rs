@@ -135,7 +135,7 @@ fn noise_keeps_the_casimirs_of_every_algebra_in_long_runs() {
     require_casimirs(2000);
 }
 
-/// One spin in a field: ⟨s₃⟩ = coth x − 1/x with x = B/kT. The means of 100 paths of 50 relaxation times each.
+/// One spin in a field: ⟨s₃⟩ = coth x − 1/x with x = B/kT. The means of 60 paths of 50 relaxation times each.
 #[test]
 #[ignore = "long"]
 fn a_spin_at_a_temperature_has_langevins_mean() {
@@ -145,7 +145,7 @@ fn a_spin_at_a_temperature_has_langevins_mean() {
     let start = [1.0, 0.0, 0.0];
     let integrator =
         spin.tangent_integrator(&method(&spin, "collective", "gauss-4"), &start).unwrap();
-    let means: Vec<f64> = (0..100)
+    let means: Vec<f64> = (0..60)
         .map(|path| {
             let from = AnyState::from_slice(&start);
             let mut state = integrator.start(&from).unwrap();
@@ -160,7 +160,7 @@ fn a_spin_at_a_temperature_has_langevins_mean() {
     let error = (means.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n * (n - 1.0))).sqrt();
     let x = field / temperature;
     let exact = 1.0 / x.tanh() - 1.0 / x;
-    assert!((mean - exact).abs() < 4.0 * error && error < 0.02, "{mean} ± {error} for {exact}");
+    assert!((mean - exact).abs() < 4.0 * error && error < 0.03, "{mean} ± {error} for {exact}");
     // Control: the mean of another temperature is far off.
     assert!((mean - (1.0 / (2.0 * x).tanh() - 0.5 / x)).abs() > 4.0 * error);
 }
@@ -208,7 +208,7 @@ fn a_viscous_torque_and_isotropic_noise_have_the_mean_of_itos_drift() {
     let texts = Texts { noise: Some(isotropic), torque, ..Texts::default() };
     let spin = open("so(3)", "-2*Pi3", &texts, 0.05).unwrap();
     let integrator = spin.tangent_integrator(&method(&spin, "direct", "gauss-4"), &start).unwrap();
-    let (count, mut sums, mut squares) = (4000, [0.0; 3], [0.0; 3]);
+    let (count, mut sums, mut squares) = (1600, [0.0; 3], [0.0; 3]);
     for path in 0..count {
         let mut state = integrator.start(&AnyState::from_slice(&start)).unwrap();
         spin.move_path(state.as_mut_slice(), path);

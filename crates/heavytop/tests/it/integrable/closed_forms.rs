@@ -103,8 +103,6 @@ fn lagrange_top_moves_so(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
-
     #[test]
     fn euler_top(motion in euler_motion()) {
         euler_top_moves_so(motion)?;
@@ -112,22 +110,6 @@ proptest! {
 
     #[test]
     fn lagrange_top(axial in 0.5..3.0, start in lagrange_start()) {
-        lagrange_top_moves_so(axial, start)?;
-    }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
-
-    #[test]
-    #[ignore = "long"]
-    fn many_euler_tops(motion in euler_motion()) {
-        euler_top_moves_so(motion)?;
-    }
-
-    #[test]
-    #[ignore = "long"]
-    fn many_lagrange_tops(axial in 0.5..3.0, start in lagrange_start()) {
         lagrange_top_moves_so(axial, start)?;
     }
 }

@@ -10,8 +10,6 @@ use nalgebra::Vector3;
 use proptest::prelude::*;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(16))]
-
     /// With h = −B Π₃ the angle α from the field obeys tan(α/2) = tan(α₀/2) exp(−θ B |Π| t), and Π turns about it by −Bt.
     #[test]
     fn a_spin_comes_to_rest_as_landau_and_lifshitz_say(

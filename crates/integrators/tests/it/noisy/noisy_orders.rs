@@ -111,7 +111,7 @@ fn the_strong_order_is_one_half_or_one_if_the_noise_commutes() {
 fn noise_that_follows_the_spin_has_the_strong_orders_of_noise_that_does_not() {
     for rule in [NoiseRule::Together, NoiseRule::Alternating] {
         for (count, expected) in [(2, 0.5), (1, 1.0)] {
-            let errors = strong_errors(rule, || Following(count), (100, 1.0 / 2048.0));
+            let errors = strong_errors(rule, || Following(count), (60, 1.0 / 1024.0));
             let order = fitted_order(&errors, 1e-14).unwrap();
             assert!((order - expected).abs() < 0.2, "{rule:?} {count}: {order} {errors:?}");
         }
@@ -281,7 +281,7 @@ fn require_means_of_methods(paths: u64, counts: &[u64]) {
 #[test]
 #[ignore = "long"]
 fn means_over_paths_are_those_of_the_methods() {
-    require_means_of_methods(4_000, &[2, 4]);
+    require_means_of_methods(2_000, &[2, 4]);
     // Control: the exact mean is far from that of the midpoint rule at these steps.
     let error = (mean_of_method((NoiseRule::Together, 1, true), 2) - exact_mean(2.0)).norm();
     assert!(error > 0.05, "{error}");

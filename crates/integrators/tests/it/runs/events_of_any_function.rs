@@ -52,8 +52,6 @@ fn factor(kind: usize, x: f64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
-
     /// (x − a)(x − b): both zeros are found, wherever they lie, and none if they are one. Zeros at the start do not count.
     #[test]
     fn both_zeros_of_a_product(

@@ -27,8 +27,6 @@ fn line(report: &TopReport, name: &str, formula: &str) -> (f64, f64) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
-
     /// The nutation and the turning points of Lagrange's top are those of the closed form, in all units.
     #[test]
     fn lagrange_tops_nutate_as_the_closed_form(
