@@ -53,6 +53,14 @@ pub enum OpenSystemError {
         /// The names of the coordinates.
         names: Vec<String>,
     },
+    /// A torque acts on a direction, whose length has a meaning.
+    #[error("a torque has formulas for {} alone: {name} is a direction in space", momenta.join(" and "))]
+    TorqueOnDirection {
+        /// The name of the direction.
+        name: String,
+        /// The names of the other coordinates.
+        momenta: Vec<String>,
+    },
     /// The matrix of an inner product is none, or is not as large as the algebra.
     #[error("the inner product: {0}")]
     InnerProduct(InnerProductError),

@@ -44,6 +44,8 @@ pub struct SystemKind {
     /// Returns the orbit with whose rate and tide the Hamiltonian depends on the time, if it does; `None` of systems that do not go
     /// about a centre.
     pub(super) orbit: Option<OrbitOf>,
+    /// The names of coordinates that are directions in space, on which no torque acts.
+    pub(crate) directions: &'static [&'static str],
     /// Another way to give a start than by the coordinates.
     pub start: Option<KindStart>,
 }

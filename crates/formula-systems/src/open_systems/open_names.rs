@@ -33,6 +33,8 @@ pub struct OpenNames {
     /// The parameters with the time and the inputs as they are at t = 0.
     frozen: Parameters,
     vocabulary: Vocabulary,
+    /// The names of coordinates that are directions in space.
+    directions: &'static [&'static str],
 }
 
 impl OpenNames {
@@ -47,7 +49,14 @@ impl OpenNames {
     ) -> Result<Self, OpenSystemError> {
         let vocabulary = inputs.vocabulary(&algebra, &parameters)?;
         let frozen = inputs.frozen(parameters.clone())?;
-        Ok(Self { algebra, parameters, frozen, vocabulary })
+        Ok(Self { algebra, parameters, frozen, vocabulary, directions: &[] })
+    }
+
+    /// Returns the names where those of some vectors of coordinates are directions in space, on which no torque acts: their lengths
+    /// and angles have a meaning, as the vertical Γ of a top with |Γ| = 1.
+    #[must_use]
+    pub fn with_directions(self, directions: &'static [&'static str]) -> Self {
+        Self { directions, ..self }
     }
 
     /// Returns the system by name with these parameters as it is at t = 0, with its Casimirs; the names for formulas; and the
@@ -69,10 +78,11 @@ impl OpenNames {
             };
             let named = kind.with_circle(parameters)?;
             let names = Self::new(base.algebra().clone(), inputs, named)?;
-            return Ok((base, names, None));
+            return Ok((base, names.with_directions(kind.directions), None));
         }
         let own = kind.description(&parameters)?;
         let names = Self::new(own.algebra.clone(), inputs, parameters)?;
+        let names = names.with_directions(kind.directions);
         let of_formula = Self::new(own.algebra, inputs, own.parameters)?;
         if let Some(near) = near.filter(|near| *near.algebra() == of_formula.algebra) {
             let (base, hamiltonian) = of_formula.system_near(near, &own.hamiltonian)?;
@@ -176,6 +186,38 @@ impl OpenNames {
         }
     }
 
+    /// Checks that a torque, with a formula for each coordinate, is 0 on [directions](Self::with_directions) in space.
+    ///
+    /// # Errors
+    /// Returns [`OpenSystemError::TorqueOnDirection`], which names one on which it acts, and the coordinates that may have formulas.
+    ///
+    /// # Example
+    /// ```
+    /// use lie_poisson_formula_systems::{NamedInputs, OpenNames, SystemKind};
+    /// use lie_poisson_formulas::Parameters;
+    /// let given = Parameters::new().vector("I", &[2.0, 3.0, 1.5])?.number("n", 1e-3)?;
+    /// let (_, names, _) = OpenNames::of_kind(SystemKind::named("satellite")?, given, &NamedInputs::default(), None)?;
+    /// let on = |name| names.element("torque", [(name, vec!["0".into(), "0.1".into(), "0".into()])]);
+    /// assert!(names.require_torque(&on("Pi")?).is_ok());
+    /// let refused = names.require_torque(&on("Gamma_1")?).unwrap_err();
+    /// assert_eq!(refused.to_string(), "a torque has formulas for Pi alone: Gamma_1 is a direction in space");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn require_torque(&self, torque: &[Formula]) -> Result<(), OpenSystemError> {
+        let coordinates = self.algebra.coordinates();
+        let acts = |name: &&&str| {
+            let mut places = coordinates.places(name).into_iter().flatten();
+            places.any(|place| torque.get(place).is_some_and(|formula| !is_zero(formula)))
+        };
+        let Some(name) = self.directions.iter().find(acts) else { return Ok(()) };
+        let names = coordinates.groups().map(|(name, _)| name);
+        let momenta = names.filter(|name| !self.directions.contains(name)).map(str::to_owned);
+        Err(OpenSystemError::TorqueOnDirection {
+            name: (*name).to_owned(),
+            momenta: momenta.collect(),
+        })
+    }
+
     /// Returns formulas for all coordinates, of those for vectors or scalars of coordinates by name; what is left out is 0.
     ///
     /// # Errors
@@ -217,4 +259,10 @@ impl OpenNames {
         }
         Ok(all)
     }
+}
+
+/// Returns whether a formula is the number 0.
+fn is_zero(formula: &Formula) -> bool {
+    let count = formula.dimension();
+    !(0..count).any(|i| formula.depends_on(i)) && formula.value_at(&vec![0.0; count]) == 0.0
 }

@@ -31,6 +31,7 @@ pub(in crate::catalogue) const BODY_IN_FLUID: SystemKind = SystemKind {
     ],
     describe,
     orbit: None,
+    directions: &[],
     start: None,
 };
 

@@ -28,6 +28,7 @@ pub(in crate::catalogue) const BODY_WITH_ROTORS: SystemKind = SystemKind {
     ],
     describe,
     orbit: None,
+    directions: &[],
     start: None,
 };
 

@@ -25,6 +25,7 @@ pub(in crate::catalogue) const GYROSTAT: SystemKind = SystemKind {
     ],
     describe,
     orbit: None,
+    directions: &["Gamma"],
     start: None,
 };
 

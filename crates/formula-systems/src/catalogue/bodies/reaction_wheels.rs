@@ -33,6 +33,7 @@ pub(in crate::catalogue) const REACTION_WHEELS: SystemKind = SystemKind {
     ],
     describe,
     orbit: None,
+    directions: &[],
     start: Some(KindStart {
         given: &[
             Parameter::vector("Omega", 3, "angular velocity of the body, rad/s").or(&[0.0; 3]),

@@ -19,6 +19,7 @@ pub(in crate::catalogue) const RIGID_BODY: SystemKind = SystemKind {
     parameters: &[Parameter::list("moments", "second moments of the mass along each axis, kg m²")],
     describe,
     orbit: None,
+    directions: &[],
     start: None,
 };
 

@@ -47,6 +47,7 @@ pub(in crate::catalogue) const SATELLITE: SystemKind = SystemKind {
     ],
     describe,
     orbit: Some(orbit),
+    directions: &["Gamma_1", "Gamma_2"],
     start: Some(KindStart {
         given: &[
             Parameter::number("roll", "about e1, along the velocity, rad").or(&[0.0]),

@@ -30,6 +30,7 @@ pub(in crate::catalogue) const TOP_ON_BASE: SystemKind = SystemKind {
     ],
     describe,
     orbit: None,
+    directions: &["Gamma"],
     start: None,
 };
 

@@ -26,6 +26,7 @@ pub(in crate::catalogue) const ELLIPTICAL_VORTEX: SystemKind = SystemKind {
     ],
     describe,
     orbit: None,
+    directions: &[],
     start: Some(KindStart {
         given: &[
             Parameter::number("a", "semi-axis at the angle, m"),

@@ -27,6 +27,7 @@ pub(in crate::catalogue) const SPIN_CHAIN: SystemKind = SystemKind {
     ],
     describe,
     orbit: None,
+    directions: &[],
     start: None,
 };
 

@@ -19,6 +19,7 @@ pub(in crate::catalogue) const VORTICES: SystemKind = SystemKind {
     parameters: &[Parameter::list("strengths", "circulation of each vortex, m²/s")],
     describe,
     orbit: None,
+    directions: &[],
     start: Some(KindStart {
         given: &[Parameter::list("positions", "[x, y, z] of each vortex on the unit sphere")],
         coordinates: |vortices, given| {

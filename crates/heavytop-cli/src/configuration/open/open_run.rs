@@ -175,14 +175,12 @@ impl Config {
         }
         let (algebra, inputs) = (SystemAlgebra::named("se(3)")?, self.named_inputs()?);
         let names = OpenNames::new(algebra.clone(), &inputs, parameters)?;
+        let names = names.with_directions(&["Gamma"]);
         let base = match near {
             Some(near) => names.system_near(near, TOP)?.0,
             None => names.system(TOP)?.0.with_found_casimirs()?,
         };
         let terms = self.open_terms((&names, algebra.dimension()), inputs, None)?;
-        if self.torque.iter().flatten().any(|(name, _)| name != "Pi") {
-            return Err(SystemTableError::TorqueOnVertical.into());
-        }
         let system = OpenSystem::new(base, terms, self.open_step())?;
         Ok((OpenModel::Top(Box::new(OpenTop { system, initial_attitude })), start))
     }

@@ -121,6 +121,7 @@ impl Config {
         let noise =
             noise.map(|noise| noise.terms(names, dimension, damping.as_ref())).transpose()?;
         let (drive, torque) = (element("drive", &self.drive)?, element("torque", &self.torque)?);
+        torque.iter().try_for_each(|torque| names.require_torque(torque))?;
         Ok(OpenTerms { inputs, hamiltonian, drive, damping, noise, torque })
     }
 }

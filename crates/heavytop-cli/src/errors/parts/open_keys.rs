@@ -21,6 +21,7 @@ pub(super) fn keys_of_open(error: &OpenSystemError) -> Vec<(String, &'static str
             key(&format!("{what}.{name}"), "")
         }
         E::NoCoordinate { .. } => key("noise.fields", ""),
+        E::TorqueOnDirection { name, .. } => key(&format!("torque.{name}"), "leave it out"),
         E::InnerProduct(_) | E::InnerProductSize { .. } => {
             ["damping.inner_product", "noise.inner_product"].map(|key| (key.into(), "")).to_vec()
         }

@@ -136,11 +136,6 @@ pub enum SystemTableError {
     /// A thin rod has no inverse inertia matrix.
     #[error("a thin rod, with a moment of 0, is not driven, damped, shaken or forced here")]
     OpenRod,
-    /// A torque acts on the angular momentum alone.
-    #[error(
-        "a torque on a body has formulas for Pi alone: the vertical Gamma is a direction in space"
-    )]
-    TorqueOnVertical,
     /// The attitude of a system that is no body is asked for.
     #[error("a system has no attitude")]
     NoAttitude,
@@ -168,7 +163,6 @@ impl SystemTableError {
             | Self::OneNoise
             | Self::ColumnOfClosed { .. }
             | Self::OpenRod
-            | Self::TorqueOnVertical
             | Self::Formula(FormulaSystemError::Open(_)) => "forces",
             Self::Formula(FormulaSystemError::KindValue { name, .. })
                 if key_of_forces(name).is_some() =>
@@ -227,7 +221,6 @@ impl SystemTableError {
             Self::OneNoise => key("noise", "write one of them"),
             Self::ColumnOfClosed { .. } => key("output.columns", "leave it out"),
             Self::OpenRod => key("body.inertia", ""),
-            Self::TorqueOnVertical => key("torque", "leave Gamma out"),
             Self::NoAttitude => key("output.attitude", "write false, or leave it out"),
             Self::ColumnOfTops { .. } => key("output.columns", "leave it out"),
         }

@@ -19,7 +19,7 @@ const ASSIGNMENTS: [(&str, &str); 4] = [
 ];
 
 /// Configurations of runs of tops.
-const RUNS: [(&str, &str); 21] = [
+const RUNS: [(&str, &str); 20] = [
     ("Error::Body", "body.mass = -1"),
     ("Error::Vertical", "initial.vertical = [0, 0, 2]"),
     ("Error::Spin", "body = { inertia = [2, 2, 0], center_of_mass = [0, 0, 1] }"),
@@ -51,7 +51,6 @@ const RUNS: [(&str, &str); 21] = [
         "body = { inertia = [2, 2, 0], center_of_mass = [0, 0, 1] }\n\
          initial.angular_momentum = [1, 0, 0]\n[torque]",
     ),
-    ("SystemTableError::TorqueOnVertical", "[torque]\nGamma = [1, 0, 0]"),
 ];
 
 /// Configurations of runs of systems, below `[system]`.

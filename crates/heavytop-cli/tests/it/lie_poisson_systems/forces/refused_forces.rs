@@ -139,7 +139,11 @@ fn errors_name_the_value_the_bound_and_the_line() {
             "[damping]\nfriction = 1\n",
             &["an inner product is needed", "6 rows", "add inner_product"],
         ),
-        (TOP, "[torque]\nGamma = [1, 0, 0]\n", &["formulas for Pi alone"]),
+        (
+            TOP,
+            "[torque]\nGamma = [1, 0, 0]\n",
+            &["formulas for Pi alone: Gamma is a direction in space", "Gamma = [1", "leave it out"],
+        ),
         (
             TOP,
             "[torque]\nPi = [1, 0, 0]\n[output]\ncolumns = ['Omega']\n",
@@ -199,6 +203,40 @@ fn commands_of_closed_systems_say_which_table_they_do_not_take() {
             done.stderr()
         );
         assert_eq!(folder.names(), ["spin.toml", "top.toml"]);
+    }
+}
+
+/// The directions in the frame of a body have lengths and angles that mean something; momenta are changed as one likes.
+#[test]
+fn no_torque_acts_on_a_direction() {
+    let folder = Folder::new();
+    let satellite = "kind = 'satellite'\nparameters = { I = [100, 120, 40], n = 0.001 }\n\
+                     initial.pitch = 0.1\n";
+    let ellipse = satellite.replace("n =", "eccentricity = 0.1, n =");
+    let gyrostat = "kind = 'gyrostat'\nparameters = { inertia = [2, 2, 1], weight = 1, center_of_mass = [0, 0, 1], \
+                    rotor = [0, 0, 5] }\ninitial = { Pi = [0, 0, 5], Gamma = [1, 0, 0] }\n";
+    let base = "kind = 'top-on-base'\nparameters = { inertia = [1, 1.2, 0.5], mass = 1, base_mass = 2, gravity = 9.81, \
+                center_of_mass = [0, 0, 0.3] }\n\
+                initial = { Pi = [0, 0, 1], P = [0, 0, 0], Gamma = [1, 0, 0] }\n";
+    for (system, name, momenta) in [
+        (satellite, "Gamma_1", "Pi"),
+        (&ellipse, "Gamma_2", "Pi"),
+        (gyrostat, "Gamma", "Pi"),
+        (base, "Gamma", "Pi and P"),
+    ] {
+        let simulated = |torque: &str| {
+            let run = "[integrator]\nstep = 0.01\nend = 0.1\n[torque]\n";
+            folder.write("a.toml", &format!("[system]\n{system}{run}{torque}"));
+            folder.heavytop(&["simulate", "a.toml", "--out", "a.csv", "--force"])
+        };
+        let refused = simulated(&format!("Pi = [0, 0, 1]\n{name} = [0, 't', 0]\n"));
+        let told = refused.stderr();
+        let words =
+            format!("a torque has formulas for {momenta} alone: {name} is a direction in space");
+        assert!(refused.code() == 2 && told.contains(&words), "{told}");
+        assert!(told.contains(&format!("{name} = [0")) && told.contains("leave it out"), "{told}");
+        let done = simulated(&format!("Pi = [0, 0, 1]\n{name} = [0, 0, 0]\n"));
+        assert_eq!(done.code(), 0, "{}", done.stderr());
     }
 }
 
