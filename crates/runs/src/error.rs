@@ -167,7 +167,7 @@ pub enum RunFailure {
     /// A path of an ensemble failed.
     #[error("path {path}: {reason}")]
     Path {
-        /// The number of the path, from 0.
+        /// The number of the path, with which a run of its own fails likewise.
         path: u64,
         /// Why it failed.
         reason: Box<RunFailure>,

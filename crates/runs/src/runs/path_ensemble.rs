@@ -105,7 +105,8 @@ impl PathEnsemble {
     ///
     /// # Errors
     /// Returns [`RunFailure::NoPaths`] if the model has no noise, there are fewer than two paths, or a probability is not between 0
-    /// and 1; [`RunFailure::LargeEnsemble`] if rows and columns are too many; and [`RunFailure::Path`] with the first path that fails.
+    /// and 1; [`RunFailure::LargeEnsemble`] if rows and columns are too many; and [`RunFailure::Path`] with the number of the first path
+    /// that fails.
     pub fn follow(
         &self,
         run: &Experiment,
@@ -121,11 +122,13 @@ impl PathEnsemble {
         let state = integrator.start(&start).map_err(RunError::from)?;
         let path_of = |path| follow_path(run, &integrator, (state.clone(), start.clone()), path);
         let together = (MOST_WAITING / (all.len() as u64).max(1)).clamp(1, MOST_TOGETHER);
+        let first = run.model.noise().map_or(0, |(_, first)| first);
         let mut done = 0;
         while done < self.paths {
             let next = done.saturating_add(together).min(self.paths);
             let paths: Vec<_> = (done..next).into_par_iter().map(path_of).collect();
             for (path, numbers) in (done..next).zip(paths) {
+                let path = first.saturating_add(path);
                 let failed = |reason| RunFailure::Path { path, reason: Box::new(reason) };
                 let (at, numbers) = numbers.map_err(failed)?;
                 times = at;
