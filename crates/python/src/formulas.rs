@@ -1,7 +1,7 @@
 //! Formulas from Python: texts, and functions that were traced.
 
 use lie_poisson_formulas::{
-    Coordinates, Expression, Expressions, Formula, FormulaError, Vocabulary,
+    Coordinates, Expression, Expressions, Formula, FormulaError, Vocabulary, names_in,
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::{FromPyObject, IntoPyObject, PyErr, PyResult};
@@ -34,6 +34,20 @@ impl FormulaSource {
             Self::Traced(parts) => {
                 let (parts, value) = expressions(parts, names.coordinates())?;
                 Formula::of_expressions(&parts, value, names).map_err(refused)
+            }
+        }
+    }
+
+    /// Returns whether the formula names something with a name, and a place among the coordinates, the time and the inputs. A formula
+    /// such as `0*u` names u, too.
+    pub(crate) fn names(&self, name: &str, place: usize) -> bool {
+        match self {
+            Self::Text(text) => {
+                let all = names_in(text);
+                names_in(name).iter().all(|name| all.contains(name))
+            }
+            Self::Traced(parts) => {
+                parts.iter().any(|(what, _, first, ..)| what == "coordinate" && *first == place)
             }
         }
     }

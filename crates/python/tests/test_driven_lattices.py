@@ -65,6 +65,7 @@ def test_a_table_turns_spins_by_its_area():
     [
         ({"drive": {}}, "drive of a lattice has no field"),
         ({"inputs": PULSE}, "drive of a lattice has no field"),
+        ({"drive": {"field": [0, 0, "t"]}, "inputs": PULSE}, "no formula names the input u"),
         ({"drive": 3}, "drive must be a mapping"),
         ({"drive": {"S": [0, 0, 1]}}, "drive of a lattice has no 'S'; there are field"),
         ({"drive": {"field": [0, 1]}}, r"drive\['field'\] must have 3 formulas"),

@@ -203,7 +203,7 @@ def test_sections_once_a_period_and_of_the_state():
 
 
 def test_a_noise_has_sections_at_times_alone():
-    warm = System("so(3)", "-Pi3", damping=1, noise={"temperature": 0.1}, inputs=INPUTS)
+    warm = System("so(3)", "-Pi3", damping=1, noise={"temperature": 0.1})
     points = warm.section(SPIN, "sin(2*acos(-1)*(t - 0.5))", step=0.1, end=4, path=2)
     run = warm.solve(SPIN, step=0.1, end=4, path=2)
     assert np.abs(points.t - [0.5, 1.5, 2.5, 3.5]).max() < 1e-12
@@ -326,3 +326,24 @@ def test_what_there_is_not_is_refused_with_a_reason():
         System("se(3)", "|Pi|^2 + Gamma3", damping=1)
     with pytest.raises(TypeError):
         System("so(3)", lambda x, t: "Pi3")
+
+
+def test_an_input_that_no_formula_names_is_refused():
+    table = {"u": ([0, 20], [0, 1], "linear")}
+    idle = System("so(3)", "-Pi1", inputs=table)
+    run = {"step": 0.1, "end": 1}
+    for follow in (
+        lambda: idle.solve(SPIN, **run),
+        lambda: idle.solve(SPIN, np.linspace(0, 1, 11)),
+        lambda: idle.solve(SPIN, events=["Pi3", lambda x, t: x.Pi3 - t], **run),
+        lambda: idle.section(SPIN, "Pi3", **run),
+        lambda: solve_many(idle, [[1, 0], [0, 1], [0, 0]], **run),
+        lambda: System("so(3)", lambda x: x.Pi1, inputs={**table, "v": table["u"]}, torque=["v", 0, 0]).solve(SPIN, **run),
+    ):
+        with pytest.raises(ValueError, match="no formula names the input u$"):
+            follow()
+    # Any formula names it, those of events and a factor 0, too.
+    assert idle.solve(SPIN, events="Pi3 - u", **run).success and idle.solve(SPIN, events="Pi3 - 0*u", **run).success
+    assert idle.section(SPIN, "u", value=0.025, **run).t == pytest.approx([0.5])
+    for forces in ({"torque": ["0*u", 0, 0]}, {"drive": lambda x, t: [x.u, 0, 0]}, {"noise": {"fields": [["u", 0, 0]]}}):
+        assert System("so(3)", "-Pi1", inputs=table, **forces).solve(SPIN, **run).success

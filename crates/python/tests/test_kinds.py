@@ -1,6 +1,7 @@
 """Systems of the library by their classes, and algebras by expression."""
 
 import pickle
+import re
 import subprocess
 
 import numpy as np
@@ -277,6 +278,42 @@ def test_an_ellipse_drives_the_pitch_of_a_satellite():
 
     assert error(1e-3) < 4e-5 and abs(error(2e-3) / error(1e-3) - 4) < 0.1
     assert error(1e-3, 3.8) > 1e-4
+
+
+def test_formulas_name_the_rate_and_the_tide_of_an_orbit():
+    moments, n, start = [1, 1.2, 0.4], 1.3, {"pitch": 0.3}
+    surface, torque = "Pi2 - 1.2*orbit_rate", {"Pi": [0, "0.1*orbit_tide + 0.2*orbit_rate", 0]}
+    run = {"step": 0.05, "end": 6}
+    circle = heavytop.Satellite(moments, n)
+    times = circle.solve(start, events=surface, **run).t_events[0]
+    assert times.size > 1 and np.array_equal(times, circle.section(start, surface, direction=0, **run).t)
+    assert times == pytest.approx(circle.solve(start, events="Pi2 - 1.2*n", **run).t_events[0], abs=1e-12)
+    by_tide = circle.section(start, "Pi2 - 1.2*orbit_tide", direction=0, **run).t
+    assert by_tide == pytest.approx(circle.section(start, "Pi2 - 1.2*n^2", direction=0, **run).t, abs=1e-12)
+    assert by_tide.size > 1 and by_tide[0] != pytest.approx(times[0], abs=0.1), "control"
+    pushed = heavytop.Satellite(moments, n, torque=torque).solve(start, **run)
+    same = heavytop.Satellite(moments, n, torque={"Pi": [0, "0.1*n^2 + 0.2*n", 0]}).solve(start, **run)
+    assert np.array_equal(pushed.y, same.y)
+    # On an ellipse that is almost a circle they are almost the same, and of the time.
+    ellipse = heavytop.Satellite(moments, n, eccentricity=1e-6)
+    assert ellipse.section(start, surface, direction=0, **run).t == pytest.approx(times, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("system", "given", "name", "others"),
+    [
+        (heavytop.Satellite, ([1, 1.2, 0.4], 1.3), "Gamma_1", "Pi"),
+        (heavytop.Satellite, ([1, 1.2, 0.4], 1.3, 0.1), "Gamma_2", "Pi"),
+        (heavytop.Gyrostat, ([2, 2, 1], 1.0, [0, 0, 1], [0, 0, 5]), "Gamma", "Pi"),
+        (heavytop.TopOnBase, ([1, 1.2, 0.5], 1.0, 2.0, 9.81, [0, 0, 0.3]), "Gamma", "Pi and P"),
+    ],
+)
+def test_no_torque_acts_on_a_direction(system, given, name, others):
+    words = f"a torque has formulas for {others} alone: {name} is a direction in space"
+    for formulas in ([0, 0.1, 0], [0, 0, "t"], [f"{name}[1]", 0, 0]):
+        with pytest.raises(ValueError, match=re.escape(words)):
+            system(*given, torque={name: formulas})
+    assert system(*given, torque={"Pi": [0, 0.1, 0], name: [0, 0, 0]}).formulations == ("direct",)
 
 
 def test_a_satellite_without_eccentricity_is_that_on_a_circle():

@@ -140,5 +140,12 @@ def test_a_path_that_fails_is_named():
     system = System("so(3)", "log(Pi3 - 0.2)", noise={"strength": 0.8, "seed": 2})
     with pytest.raises(IntegrationError, match=r"path \d+: .*step"):
         solve_paths(system, [0.1, 0, 1], paths=200, step=0.05, end=5)
+    # The number is that of a run of its own, wherever the ensemble begins.
+    later = System("so(3)", "log(Pi3 - 0.2)", noise={"strength": 0.8, "seed": 2, "path": 100})
+    with pytest.raises(IntegrationError, match=r"path 1\d\d: .*step") as failed:
+        solve_paths(later, [0.1, 0, 1], paths=200, step=0.05, end=5)
+    number, reason = str(failed.value).removeprefix("path ").split(": ", 1)
+    alone = system.solve([0.1, 0, 1], step=0.05, end=5, path=int(number), estimate=False)
+    assert not alone.success and reason.endswith(alone.message)
     with pytest.warns(RuntimeWarning, match="the noise turns the state by about"):
         solve_paths(System("so(3)", "-Pi3", noise={"strength": 2.0}), [1, 0, 0], paths=2, step=0.1, end=1)

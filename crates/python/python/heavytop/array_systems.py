@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields
 from typing import Any, Optional, Union
 
@@ -39,7 +39,7 @@ class ArraySystem(System):
     A state, `y`, has all numbers of the arrays one after the other; `unpack` gives the arrays, and `run["S"]` those of a run.
     `solve` takes a state, the array of a system that has one, or what `start` takes by name. Its events are Python functions of
     the arrays by name, such as `lambda x: x["S"][..., 2].mean()`, or of them and the time, `lambda x, t: ...`, which are called after
-    each step. There are no sections.
+    each step. With noise they are of the time alone, `lambda _, t: ...`, as for `System.solve`. There are no sections.
 
     Args:
         kind: the name of the system, such as "spin-lattice".
@@ -131,6 +131,8 @@ class ArraySystem(System):
             if not callable(event.function):
                 raise ValueError(f"{name} must be a function of the arrays by name, or of them and the time, got {event.function!r}")
             function = event.function if takes_time(event.function) else lambda arrays, _: event.function(arrays)
+            if self._arrays.has_noise:
+                return (lambda _, t: number(name, function(NoArrays(name), t))), direction, terminal
             return (lambda y, t: number(name, function(self.unpack(y), t))), direction, terminal
 
         return [watched(f"events[{i}]", event) for i, event in enumerate(list_of(events))]
@@ -165,6 +167,27 @@ class ArraySystem(System):
     def __repr__(self) -> str:
         shapes = ", ".join(f"{name} {shape}" for name, shape in self.shapes.items())
         return f"<{type(self).__name__}: {shapes}>"
+
+
+class NoArrays(Mapping[str, Floats]):
+    """The arrays of a path with noise, which no event may read."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def __getitem__(self, _: str) -> Floats:
+        raise ValueError(
+            f"{self._name}: a path with noise passes a value of a function of the arrays again and again in any time, however short, and "
+            "where depends on the step: write a function of the time alone, such as lambda _, t: np.sin(2*t)"
+        )
+
+    def __iter__(self) -> Iterator[str]:
+        self[""]
+        return iter(())
+
+    def __len__(self) -> int:
+        self[""]
+        return 0
 
 
 def number(name: str, value: Any) -> float:

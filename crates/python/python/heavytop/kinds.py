@@ -123,8 +123,9 @@ class Satellite(System):
     """A rigid satellite on a circle or an ellipse, turned by the gradient of gravity; coordinates Pi, Gamma_1 and Gamma_2.
 
     In the frame of the body, Pi is the angular momentum against the stars, Gamma_1 the direction from the centre of attraction to
-    the satellite, and Gamma_2 the normal of the orbit. h is Jacobi's integral on a circle. On an ellipse it depends on the time, and
-    formulas may name the rate and the tide of the orbit, orbit_rate (rad/s) and orbit_tide = GM/r^3 (1/s^2). A start is given by
+    the satellite, and Gamma_2 the normal of the orbit. h is Jacobi's integral on a circle. On an ellipse it depends on the time.
+    Formulas may name the rate and the tide of the orbit, orbit_rate (rad/s) and orbit_tide = GM/r^3 (1/s^2), which are n and n^2 on a
+    circle. A torque acts on Pi, and on l of wheels. A start is given by
     the coordinates, or by angles in radians and the angular velocity against the orbit: `{"roll": 0.1, "pitch": 0.2, "yaw": 0,
     "relative": [0, 0, 0]}`, of which each may be left out. Without turns, the axes of the body are along the velocity, the normal and the radius.
 

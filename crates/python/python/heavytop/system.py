@@ -57,7 +57,7 @@ class System(SystemDescription):
         momenta: instead of a representation, symmetric matrices S of shape (d, 2m, 2m) of the momenta J_a = z.S_a z/2, z = (q, p). Either
             sign of the matrices will do; `realisation` tells what they obey.
         inputs: numbers u(t) by tables, by name, each as (times, values, interpolation) with "constant", "linear" or "cubic" between
-            the times. Formulas name them, and functions of (x, t) have them as `x.u`.
+            the times. Formulas name them, and functions of (x, t) have them as `x.u`. A run in which no formula names an input is refused.
         drive: a control u, an element of the algebra, so that dmu/dt = ad*_(dh + u) mu: a number for each coordinate, as a
             function of (x, t), as formulas, or as formulas by the names of coordinates. It keeps the Casimirs.
         damping: the friction theta of a double bracket, which lowers h and keeps the Casimirs; or a mapping with "friction" and
@@ -70,7 +70,7 @@ class System(SystemDescription):
             intervals that determine a path (the step; runs with other steps see the same path if it is given), and "bound", that
             of the increments in standard deviations (6).
         torque: a rate F of the coordinates, dmu/dt = ad*_dh mu + F, as `drive`. It changes the Casimirs, and the system has the formulation
-            "direct" alone.
+            "direct" alone. None acts on the directions Gamma of satellites, gyrostats and tops on a base.
 
     Raises:
         ValueError: if the formula is none, with the place in its text; if the brackets break the Jacobi identity; if there

@@ -72,6 +72,12 @@ impl Arrays {
         self.terms.is_some()
     }
 
+    /// Whether there is noise.
+    #[getter]
+    fn has_noise(&self) -> PyResult<bool> {
+        Ok(self.unit_model()?.noise().is_some())
+    }
+
     /// Whether the motion keeps each of them.
     #[getter]
     fn kept(&self) -> PyResult<Vec<bool>> {

@@ -32,10 +32,13 @@ pub enum AnySystem<'py> {
 }
 
 impl AnySystem<'_> {
-    /// Returns the model of runs with steps of a size.
+    /// Returns the model of runs with steps of a size and without events.
     pub(crate) fn model(&self, step: f64) -> PyResult<ModelOfRun<'_>> {
         match self {
-            Self::Formula(system) => system.model(step),
+            Self::Formula(system) => {
+                system.require_named_inputs(&[])?;
+                system.model(step)
+            }
             Self::Arrays(arrays) => arrays.model(step),
         }
     }

@@ -4,5 +4,6 @@ pub(crate) mod algebra;
 pub(crate) mod arrays;
 pub(crate) mod system;
 pub(crate) mod many;
+pub(crate) mod named_inputs;
 pub(crate) mod paths;
 pub(crate) mod open;

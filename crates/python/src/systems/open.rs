@@ -1,9 +1,11 @@
 //! What drives, damps, shakes or forces a system, as Python passes it.
 
+use super::named_inputs::{require_named, unnamed_inputs};
 use crate::errors::refused;
 use crate::formulas::{FormulaSource, expressions};
 use collective_integrators::NoiseRule;
 use core::ops::Deref;
+use heavytop::methods::Formulation;
 use lie_poisson::{InnerProduct, InputTable, Interpolation, IsotropicNoise};
 use lie_poisson_formula_systems::{
     Damping, FormulaSystem, NamedInputs, NoiseFields, NoiseTerms, OpenNames, OpenSystem,
@@ -14,6 +16,7 @@ use lie_poisson_runs::{
     ArraySystem, ArrayTerms, FluidNoise, FluidTerms, HarmonicShell, LatticeField, LatticeNoise,
     LatticeTerms, Model, NoisePaths, OpenArrays, SpinDamping,
 };
+use pyo3::exceptions::PyValueError;
 use pyo3::{FromPyObject, IntoPyObject, PyErr, PyResult};
 
 /// What is said where a path is asked for and there is no noise.
@@ -114,6 +117,7 @@ pub(crate) fn terms(
     let noise = noise.transpose()?;
     let (drive, torque) =
         (drive.as_ref().map(all).transpose()?, torque.as_ref().map(all).transpose()?);
+    torque.iter().try_for_each(|torque| names.require_torque(torque)).map_err(refused)?;
     Ok(OpenTerms { inputs, hamiltonian, drive, damping, noise, torque })
 }
 
@@ -149,6 +153,23 @@ pub(crate) fn of_formula(
         Some(names) => names.system_by(formula, made),
     };
     system.map_err(refused)
+}
+
+/// Returns the formulations of a system, the default one first: with a torque "direct" alone, with other forces "collective" and
+/// "direct", and those of the algebra without.
+pub(crate) fn formulations(algebra: &SystemAlgebra, terms: Option<&OpenTerms>) -> Vec<Formulation> {
+    if terms.is_some_and(|terms| terms.torque.is_some()) {
+        return vec![Formulation::Direct];
+    }
+    let first = algebra.default_formulation();
+    let is_open = terms.is_some();
+    let has = |other: &Formulation| {
+        let takes_forces = matches!(other, Formulation::Collective | Formulation::Direct);
+        *other != first && (takes_forces || !is_open)
+    };
+    let mut all = vec![first];
+    all.extend(algebra.formulations().filter(has));
+    all
 }
 
 /// The seed, the path, the interval and the bound of a noise.
@@ -220,6 +241,7 @@ fn lattice_field(
 ) -> PyResult<LatticeField> {
     let inputs = inputs(tables)?;
     let vocabulary = inputs.vocabulary_of_time().map_err(refused)?;
+    require_named(&unnamed_inputs(tables, 0, sources.iter()), core::iter::empty())?;
     let formulas = sources.iter().map(|source| source.formula(&vocabulary));
     LatticeField::of_formulas(inputs, formulas.collect::<PyResult<_>>()?).map_err(refused)
 }
@@ -257,6 +279,22 @@ impl<'a> ModelOfRun<'a> {
         let Some(terms) = terms else { return Ok(Self::Closed(system)) };
         let open = OpenSystem::new(system.clone(), terms.clone(), step);
         Ok(Self::Open(Box::new(open.map_err(refused)?)))
+    }
+
+    /// Checks that the zeros of a function do not depend on the step: with noise only those of functions of the time alone do not.
+    ///
+    /// # Errors
+    /// Returns `ValueError` for a function of coordinates along a path with noise.
+    pub(crate) fn require_zeros(&self, function: &Formula) -> PyResult<()> {
+        match self {
+            Self::Open(open) if open.noise().is_some() && !open.is_of_time(function) => {
+                Err(PyValueError::new_err(
+                    "a path with noise passes a value of a function of coordinates again and again in any time, however short, and \
+                     where depends on the step: write a function of the time alone, such as \"sin(2*t)\"",
+                ))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Checks that the inputs reach to the end of a run.

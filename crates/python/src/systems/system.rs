@@ -3,14 +3,16 @@
 use super::algebra::{
     AlgebraSource, Groups, ParameterArgument, Realisation, groups, parameters, realised,
 };
-use super::open::{ModelOfRun, OpenArgument, WITHOUT_PATH, inputs, of_formula, terms};
+use super::named_inputs::{formulas_of_forces, require_named, unnamed_inputs};
+use super::open::{
+    ModelOfRun, OpenArgument, WITHOUT_PATH, formulations, inputs, of_formula, terms,
+};
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::formulas::FormulaSource;
 use crate::recorded::Recorded;
 use crate::runs::accuracy::{Accuracy, Check};
 use crate::runs::event::{Event, EventArgument};
-
 use crate::runs::following::{BalanceNumbers, Following, MethodArgument, Setting};
 use crate::runs::interruption::until_interrupted;
 use collective_integrators::diagnostics::SystemScales;
@@ -35,6 +37,8 @@ pub struct System {
     /// What makes it an open system.
     terms: Option<OpenTerms>,
     names: Vocabulary,
+    /// The inputs that none of its formulas names, with their places: events may.
+    idle: Vec<(String, usize)>,
     source: Source,
 }
 
@@ -64,12 +68,11 @@ impl System {
         arguments: Vec<ParameterArgument>,
         has_plus_bracket: bool,
         realisation: Option<Realisation>,
-        open: Option<OpenArgument>,
+        mut open: Option<OpenArgument>,
     ) -> PyResult<Self> {
-        let given = parameters(&arguments)?;
+        let mut given = parameters(&arguments)?;
         let mut inputs = inputs(open.as_ref().map_or(&[], |open| &open.0))?;
-        let mut open = open;
-        let (system, in_time) = match (&algebra, &hamiltonian) {
+        let (system, own, in_time) = match (&algebra, &hamiltonian) {
             (AlgebraSource::OfKind((name,)), None) => {
                 let kind = SystemKind::named(name).map_err(refused)?;
                 let orbit = kind.orbit(&given).map_err(refused)?;
@@ -79,13 +82,15 @@ impl System {
                     inputs = inputs.with_orbit(orbit);
                 }
                 let of_kind = || OpenNames::of_kind(kind, given.clone(), &inputs, None);
-                match &open {
-                    None => (py.detach(|| kind.system(&given)).map_err(refused)?, None),
+                let made = match &open {
+                    None => (py.detach(|| kind.system(&given)).map_err(refused)?, None, None),
                     Some(_) => {
-                        let (system, _, in_time) = py.detach(of_kind).map_err(refused)?;
-                        (system, in_time)
+                        let (system, own, in_time) = py.detach(of_kind).map_err(refused)?;
+                        (system, Some(own), in_time)
                     }
-                }
+                };
+                given = kind.with_circle(given).map_err(refused)?;
+                made
             }
             (_, Some(hamiltonian)) => {
                 let named = algebra.algebra(&given)?;
@@ -100,7 +105,7 @@ impl System {
                     false => Ok(system),
                 };
                 let find = || signed(system).and_then(FormulaSystem::with_found_casimirs);
-                (py.detach(find).map_err(refused)?, in_time)
+                (py.detach(find).map_err(refused)?, None, in_time)
             }
             _ => return Err(PyValueError::new_err("write a Hamiltonian, or the name of a system")),
         };
@@ -109,16 +114,25 @@ impl System {
         let terms = match &open {
             None => None,
             Some(open) => {
-                let own = OpenNames::new(system.algebra().clone(), &inputs, given);
-                let terms = terms(&own.map_err(refused)?, inputs, in_time, open)?;
+                let own = match own {
+                    Some(own) => own,
+                    None => {
+                        OpenNames::new(system.algebra().clone(), &inputs, given).map_err(refused)?
+                    }
+                };
+                let terms = terms(&own, inputs, in_time, open)?;
                 // What does not fit is refused here, whatever the step will be.
                 OpenSystem::new(system.clone(), terms.clone(), unit_of(Some(&terms)))
                     .map_err(refused)?;
                 Some(terms)
             }
         };
+        let idle = open.as_ref().map_or_else(Vec::new, |open| {
+            let formulas = hamiltonian.iter().chain(formulas_of_forces(open));
+            unnamed_inputs(&open.0, system.algebra().dimension(), formulas)
+        });
         let source = (algebra, hamiltonian, arguments, has_plus_bracket, realisation, open);
-        Ok(Self { system, terms, names, source })
+        Ok(Self { system, terms, names, idle, source })
     }
 
     /// The names of the scalars and vectors of coordinates, with their dimensions; 0 for a scalar.
@@ -193,24 +207,8 @@ impl System {
     /// The formulations that the algebra has, the default one first.
     #[getter]
     fn formulations(&self) -> Vec<String> {
-        let algebra = self.system.algebra();
-        if let Some(terms) = &self.terms {
-            let first = match terms.torque {
-                Some(_) => Formulation::Direct,
-                None => algebra.default_formulation(),
-            };
-            let both = [Formulation::Collective, Formulation::Direct];
-            let has = |other: &Formulation| {
-                *other != first
-                    && terms.torque.is_none()
-                    && algebra.formulations().any(|own| own == *other)
-            };
-            let all = core::iter::once(first).chain(both.into_iter().filter(has));
-            return all.map(|f| f.name().to_owned()).collect();
-        }
-        let first = algebra.default_formulation();
-        let others = algebra.formulations().filter(|other| *other != first);
-        core::iter::once(first).chain(others).map(|f| f.name().to_owned()).collect()
+        let all = formulations(self.system.algebra(), self.terms.as_ref());
+        all.iter().map(|formulation| formulation.name().to_owned()).collect()
     }
 
     /// What the realisation obeys along which collective steps go, if it is one by matrices: whether its bracket is the plus
@@ -286,8 +284,9 @@ impl System {
         events: Vec<EventArgument>,
     ) -> PyResult<Recorded> {
         let model = self.model(setting.1)?;
+        self.require_named_inputs(&events)?;
         for (function, ..) in &events {
-            self.require_zeros(&model, function)?;
+            model.require_zeros(&function.formula(&self.names)?)?;
         }
         let events = Event::all(&events, &self.names, &*model)?;
         model.require_until(end)?;
@@ -334,6 +333,7 @@ impl System {
         times: Vec<f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let model = self.model(setting.1)?;
+        self.require_named_inputs(&[])?;
         model.require_until(times.last().copied().unwrap_or(0.0))?;
         self.following(&model, &setting)?.states_at(py, &times)
     }
@@ -345,16 +345,9 @@ impl System {
         ModelOfRun::new(&self.system, self.terms.as_ref(), step)
     }
 
-    /// Checks that the zeros of a function do not depend on the step: with noise only those of functions of the time alone do not.
-    fn require_zeros(&self, model: &ModelOfRun<'_>, function: &FormulaSource) -> PyResult<()> {
-        let ModelOfRun::Open(open) = model else { return Ok(()) };
-        match open.noise().is_none() || open.is_of_time(&function.formula(&self.names)?) {
-            true => Ok(()),
-            false => Err(PyValueError::new_err(
-                "a path with noise passes a value of a function of coordinates again and again in any time, however short, and where \
-                 depends on the step: write a function of the time alone, such as \"sin(2*t)\"",
-            )),
-        }
+    /// Checks that a formula of the system, or the function of an event, names each of the inputs, which would do nothing otherwise.
+    pub(crate) fn require_named_inputs(&self, events: &[EventArgument]) -> PyResult<()> {
+        require_named(&self.idle, events.iter().map(|(function, ..)| function))
     }
 
     /// Returns what is done along the run of a setting.
