@@ -43,6 +43,8 @@ pub fn errors() -> Vec<String> {
     let back = noise(1.0, None).map(|noise| NoiseTerms { fields: thermal.unwrap(), ..noise });
     let back = OpenTerms { noise: back, ..damped(1.0, InnerProduct::euclidean()) };
     let timed = Parameters::new().number("t", 1.0).unwrap();
+    let vertical = top.clone().with_directions(&["Gamma"]);
+    let on_vertical = vec![top.formula("torque", "1").unwrap(); 6];
     vec![
         refused(OpenNames::new(algebra("so(3)"), &none(), timed)),
         refused(numbered(OpenSystem::PATHS, None)),
@@ -62,6 +64,7 @@ pub fn errors() -> Vec<String> {
         refused(NoiseFields::thermal(Some(&Damping::Gilbert(0.0)), 1.0)),
         refused(OpenSystem::new(base.clone(), back, -0.1)),
         refused(top.require_spins()),
+        refused(vertical.require_torque(&on_vertical)),
         refused(open(damped(-1.0, InnerProduct::euclidean())).map_err(FormulaSystemError::from)),
     ]
 }
