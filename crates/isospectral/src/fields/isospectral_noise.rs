@@ -20,6 +20,19 @@ pub trait IsospectralNoise {
     /// Adds Σ_k w_k Ξ_k to a matrix, for as many weights as there are generators. The result is NaN if the matrix does
     /// not have the size of the generators.
     fn add_to(&self, weights: &[f64], generator: &mut LargeSkewHermitian);
+
+    /// Returns λ if the noise is isotropic, Ξ_k = σ E_k with E_k orthonormal in u(N), or in su(N), for a multiple of the scalar
+    /// product −tr(V W); none by default. It is the number, in the unit 1/t, with
+    ///
+    /// ```text
+    /// Σ_k [Ξ_k, [Ξ_k, V]] = −λ V    for all V without trace,
+    /// ```
+    ///
+    /// so that the mean of noise alone decays as exp(−λt/2). [Noise that alternates](crate::IsotropicIsospectralNoise#one-exponential) is
+    /// then made by one exponential. Noise that only fulfils this equation is not isotropic if it lacks directions.
+    fn isotropic_casimir(&self) -> Option<f64> {
+        None
+    }
 }
 
 impl IsospectralNoise for Vec<LargeSkewHermitian> {
@@ -44,5 +57,9 @@ impl<N: IsospectralNoise + ?Sized> IsospectralNoise for &N {
 
     fn add_to(&self, weights: &[f64], generator: &mut LargeSkewHermitian) {
         (**self).add_to(weights, generator);
+    }
+
+    fn isotropic_casimir(&self) -> Option<f64> {
+        (**self).isotropic_casimir()
     }
 }

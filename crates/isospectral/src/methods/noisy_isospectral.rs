@@ -27,6 +27,9 @@ use lie_poisson::{Pair, State, Time, Vector};
 /// other; the weak order is 1. With the rule [`NoiseRule::Alternating`] the generators act one after the other, by their
 /// exponentials, and the weak order is 2.
 ///
+/// [Isotropic noise](crate::IsotropicIsospectralNoise#one-exponential) that alternates is made by one exponential instead, between
+/// two halves of a step of the drift, with the same increments and orders.
+///
 /// The increments ΔW_k are those of [`BrownianPaths`]: functions of the seed, the number of the path, k and the time,
 /// and bounded, so that the stage equations of a step that is short enough always have a solution. A momentum is (W,
 /// (number of the path, time)), as that of [`Noisy`](collective_integrators::Noisy); a state has the time in intervals
@@ -118,11 +121,32 @@ impl<S: Equivariant, F: DrivenIsospectralField, N: IsospectralNoise> NoisyIsospe
 /// The storage of a step of [`NoisyIsospectral`].
 pub struct NoisyIsospectralWorkspace<S: Equivariant> {
     stages: IsospectralWorkspace<S>,
-    /// Σ_k (ΔW_k/h) Ξ_k.
+    /// The constant part of a generator, or what turns W.
     noise: LargeSkewHermitian,
     weights: Vec<f64>,
     /// W at the beginning of a step, for one that fails.
     start: LargeSkewHermitian,
+}
+
+/// How noise enters a piece of a step.
+#[derive(Clone, Copy)]
+enum Entry {
+    /// In the generator of the step.
+    Together,
+    /// Between halves of a step of the drift, by one exponential. It has the number λ.
+    Isotropic(f64),
+    /// As the weights of a part say.
+    Alternating,
+}
+
+/// Where a piece of a step is in time.
+struct Piece {
+    /// The times in the middle of its first half, of it, and of its second half.
+    times: [f64; 3],
+    /// The number of the path.
+    path: f64,
+    /// The beginning and the end, in intervals of the paths.
+    between: [f64; 2],
 }
 
 /// The generator B(W, t) + Ξ of a step, in which the time and the noise Ξ are constant.
@@ -177,9 +201,10 @@ impl<S: Equivariant, F: DrivenIsospectralField, N: IsospectralNoise> Integrator
         StepError::check_start(clock, step)?;
         let Pair(path, time) = clock;
         let (interval, begin) = (self.paths.interval(), time.0);
-        // Noise that is together is divided as the pieces are.
-        let is_together = self.rule == NoiseRule::Together;
-        let noise = (!is_together).then(|| (&self.paths, self.rule, self.noise.count()));
+        let entry = self.entry();
+        // The other noise is divided as the pieces are.
+        let alternates = matches!(entry, Entry::Alternating);
+        let noise = alternates.then(|| (&self.paths, self.rule, self.noise.count()));
         workspace.start.assign(w);
         let mut elapsed = 0.0;
         let made = StepParts { interval, noise }.make(
@@ -187,18 +212,15 @@ impl<S: Equivariant, F: DrivenIsospectralField, N: IsospectralNoise> Integrator
             step,
             |time, forward| self.field.next_break(time, forward),
             |window, part| {
-                if is_together {
-                    let of_piece = [elapsed, elapsed + part.step].map(|t| begin + t / interval);
-                    self.write_together((path.0, of_piece), part.step, workspace);
-                } else {
-                    workspace.noise.set_zero();
-                    if !part.weights.is_empty() {
-                        self.noise.add_to(part.weights, &mut workspace.noise);
-                    }
-                }
-                let middle = window.nearest(begin * interval + elapsed + 0.5 * part.step);
+                let (from, to) = (elapsed, elapsed + part.step);
                 elapsed += part.drift * part.step;
-                self.make_part(middle, part, w, workspace)
+                let at = |fraction| window.nearest(begin * interval + from + fraction * part.step);
+                let piece = Piece {
+                    times: [0.25, 0.5, 0.75].map(at),
+                    path: path.0,
+                    between: [from, to].map(|elapsed| begin + elapsed / interval),
+                };
+                self.make_part((entry, &piece), part, w, workspace)
             },
         );
         if made.is_err() {
@@ -218,33 +240,69 @@ impl<S: Equivariant, F: DrivenIsospectralField, N: IsospectralNoise> Integrator
 }
 
 impl<S: Equivariant, F: DrivenIsospectralField, N: IsospectralNoise> NoisyIsospectral<S, F, N> {
-    /// Writes Σ_k (ΔW_k/h) Ξ_k with the increments of a path between two times, in intervals.
-    fn write_together(
-        &self,
-        (path, [from, to]): (f64, [f64; 2]),
-        step: f64,
-        NoisyIsospectralWorkspace { noise, weights, .. }: &mut NoisyIsospectralWorkspace<S>,
-    ) {
-        noise.set_zero();
-        if step != 0.0 {
-            self.paths.write_increments(path as u64, from, to, weights);
-            weights.iter_mut().for_each(|weight| *weight /= step);
-            self.noise.add_to(weights, noise);
+    fn entry(&self) -> Entry {
+        match (self.rule, self.noise.isotropic_casimir()) {
+            (NoiseRule::Together, _) => Entry::Together,
+            (NoiseRule::Alternating, Some(casimir)) => Entry::Isotropic(casimir),
+            (NoiseRule::Alternating, None) => Entry::Alternating,
         }
     }
 
-    /// Replaces W by its value after a part of a step, at a time.
+    /// Replaces W by its value after a part of a step, which noise that alternates divides further.
     fn make_part(
         &self,
+        (entry, piece): (Entry, &Piece),
+        NoisePart { drift, weights, step }: NoisePart<'_, f64>,
+        w: &mut LargeSkewHermitian,
+        workspace: &mut NoisyIsospectralWorkspace<S>,
+    ) -> Result<usize, StepError> {
+        workspace.noise.set_zero();
+        let [early, middle, late] = piece.times;
+        match entry {
+            Entry::Together => {
+                // In a step of size 0 there is no noise.
+                let divisor = if step == 0.0 { 1.0 } else { step };
+                self.add_increments(piece, divisor, workspace);
+                self.drift(middle, step, w, workspace)
+            }
+            Entry::Isotropic(casimir) => {
+                let before = self.drift(early, 0.5 * step, w, workspace)?;
+                let divisor = (1.0 + casimir * step.abs() / 24.0).sqrt();
+                self.add_increments(piece, divisor, workspace);
+                workspace.stages.turn(&workspace.noise, w)?;
+                workspace.noise.set_zero();
+                let after = self.drift(late, 0.5 * step, w, workspace)?;
+                Ok(before + 1 + after)
+            }
+            Entry::Alternating if drift == 0.0 => {
+                self.noise.add_to(weights, &mut workspace.noise);
+                workspace.noise.scale_in_place(step);
+                workspace.stages.turn(&workspace.noise, w).map(|()| 1)
+            }
+            Entry::Alternating => self.drift(middle, step, w, workspace),
+        }
+    }
+
+    /// Adds Σ_k (ΔW_k/d) Ξ_k to the noise that is written, with the increments of a piece and a divisor d.
+    fn add_increments(
+        &self,
+        Piece { path, between: [from, to], .. }: &Piece,
+        divisor: f64,
+        NoisyIsospectralWorkspace { noise, weights, .. }: &mut NoisyIsospectralWorkspace<S>,
+    ) {
+        self.paths.write_increments(*path as u64, *from, *to, weights);
+        weights.iter_mut().for_each(|weight| *weight /= divisor);
+        self.noise.add_to(weights, noise);
+    }
+
+    /// Replaces W by its value after a step with the generator at a time and the noise that is written.
+    fn drift(
+        &self,
         time: f64,
-        NoisePart { drift, step, .. }: NoisePart<'_, f64>,
+        step: f64,
         w: &mut LargeSkewHermitian,
         NoisyIsospectralWorkspace { stages, noise, .. }: &mut NoisyIsospectralWorkspace<S>,
     ) -> Result<usize, StepError> {
-        if drift == 0.0 {
-            noise.scale_in_place(step);
-            return stages.turn(noise, w).map(|()| 1);
-        }
         let field = WithNoise { field: &self.field, time, noise };
         step_of_multiplier((&self.scheme, &field), w, step, stages)
     }

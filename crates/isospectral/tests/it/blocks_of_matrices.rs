@@ -87,7 +87,7 @@ where
     }
     assert!(beside.norm() < 1e-14, "{name}: {:e}", beside.norm());
     // Some ten roundings of the traces of the powers, which are below 1, in each of up to 33 products.
-    let pairs = casimirs(&start).into_iter().zip(casimirs(&end));
+    let pairs = casimirs(&start, start.norm()).into_iter().zip(casimirs(&end, start.norm()));
     let change = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(change < 33.0 * 16.0 * f64::EPSILON, "{name}: {change:e}");
 }

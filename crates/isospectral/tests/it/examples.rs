@@ -39,11 +39,11 @@ pub fn generic(size: usize, seed: f64) -> LargeSkewHermitian {
     })
 }
 
-/// Returns tr (iW)^k for k = 1 … N, divided by |W|^k.
-pub fn casimirs(w: &LargeSkewHermitian) -> Vec<f64> {
+/// Returns tr (iW)^k for k = 1 … N, divided by the powers of a scale, such as |W| at the start of a path.
+pub fn casimirs(w: &LargeSkewHermitian, scale: f64) -> Vec<f64> {
     use isospectral_flows::{LargeMatrix, Products};
     let size = w.size();
-    let hermitian = LargeMatrix::from_fn(size, |j, k| Complex::<f64>::I * w.at(j, k) / w.norm());
+    let hermitian = LargeMatrix::from_fn(size, |j, k| Complex::<f64>::I * w.at(j, k) / scale);
     let (mut power, mut products) = (hermitian.clone(), Products::default());
     let mut traces = Vec::new();
     for _ in 0..size {

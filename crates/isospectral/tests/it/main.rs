@@ -3,10 +3,9 @@
 
 mod algebra;
 mod blocks_of_matrices;
-mod driven_isospectral;
 mod examples;
 mod isospectral_failures;
 mod matrices;
 mod isospectral_methods;
-mod noisy_isospectral;
+mod open_systems;
 mod poisson;

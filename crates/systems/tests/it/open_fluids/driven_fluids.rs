@@ -136,8 +136,7 @@ fn drift_with(field: &str, steps: u64) -> f64 {
 #[test]
 fn driven_fluids_keep_their_casimirs() {
     for field in FIELDS {
-        let steps = if field.contains("alternating") { 3 } else { 30 };
-        let drift = drift_with(field, steps);
+        let drift = drift_with(field, 30);
         // Steps with some rounding errors each.
         assert!(drift < 1e-14, "{field}: {drift:e}");
     }
@@ -167,12 +166,11 @@ fn a_double_bracket_damps_a_fluid() {
     assert!(damped < energy - 1e-4 && fed > energy + 1e-4, "{damped} {fed} {energy}");
 }
 
-/// Ten thousand steps of the temperature with alternating noise, which has 256 exponentials in a step, and a million of the others.
 #[test]
 #[ignore = "takes minutes"]
 fn driven_fluids_keep_their_casimirs_many_times() {
+    let steps = 1_000_000;
     for field in FIELDS {
-        let steps = if field == "a temperature, alternating" { 10_000 } else { 1_000_000 };
         let drift = drift_with(field, steps);
         println!("{field}: the Casimirs after {steps} steps: {drift:e}");
         assert!(drift < 1e-12, "{field}: {drift:e}");

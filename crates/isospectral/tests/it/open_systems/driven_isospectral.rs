@@ -1,35 +1,22 @@
-//! Isospectral equations with the time in them, inputs, controls, damping, temperature, and noise whose generators alternate.
+//! Isospectral equations with the time in them, inputs, controls, damping, and noise whose generators alternate.
 
-use crate::examples::{Quadratic, casimirs, distance, generic};
+use crate::examples::{Quadratic, distance, generic};
+use crate::open_systems::support::{Large, Still, drift, on_path};
 use isospectral_flows::collective_integrators::{
-    BrownianPaths, Equivariant, Integrator, NoiseRule, PathAndTime, RungeKutta, Start, StepError,
-    fitted_order,
+    BrownianPaths, Equivariant, Integrator, NoiseRule, RungeKutta, Start, StepError, fitted_order,
 };
 use isospectral_flows::lie_poisson::{
-    Controlled, DissipationError, InputTable, Inputs, Interpolation, Pair, PathNumber, Sign, State,
-    Time, larger,
+    Controlled, DissipationError, InputTable, Inputs, Interpolation, Pair, Sign, State,
 };
 use isospectral_flows::{
     DrivenIsospectralField, IsospectralDoubleBracket, IsospectralField, IsospectralNoise,
-    IsotropicIsospectralNoise, LargeSkewHermitian, NoisyIsospectral, Products,
+    IsotropicIsospectralNoise, NoisyIsospectral, Products,
 };
-use num_complex::Complex;
 
 const SIZE: usize = 3;
 
-type Large = LargeSkewHermitian;
-
-fn on_path(w: Large, path: u64) -> Pair<Large, PathAndTime<f64>> {
-    Pair(w, Pair(PathNumber(path as f64), Time(0.0)))
-}
-
 fn paths(interval: f64) -> BrownianPaths {
     BrownianPaths::new(5, interval).unwrap()
-}
-
-fn drift(start: &Large, end: &Large) -> f64 {
-    let changes = casimirs(start).into_iter().zip(casimirs(end)).map(|(a, b)| (a - b).abs());
-    changes.fold(0.0, larger)
 }
 
 /// Returns W after steps of a driven motion.
@@ -174,19 +161,6 @@ fn a_double_bracket_takes_the_energy_at_its_rate() {
     }
 }
 
-/// No drift.
-struct Still;
-
-impl IsospectralField for Still {
-    fn size(&self) -> usize {
-        SIZE
-    }
-
-    fn generator_into(&self, _: &Large, generator: &mut Large) {
-        generator.set_zero();
-    }
-}
-
 /// Generators that alternate act by their exponentials: one of them by the increment of the path, whatever the step.
 #[test]
 fn generators_that_alternate_act_exactly() {
@@ -194,7 +168,8 @@ fn generators_that_alternate_act_exactly() {
     let end = |rule, step: f64, steps| {
         let noise = vec![generic(SIZE, 1.0)];
         let midpoint = RungeKutta::implicit_midpoint();
-        let noisy = NoisyIsospectral::new(midpoint, Still, noise, paths(step)).with_rule(rule);
+        let noisy =
+            NoisyIsospectral::new(midpoint, Still(SIZE), noise, paths(step)).with_rule(rule);
         let end = noisy.after(&start, step, steps).unwrap().momentum.0;
         assert!(drift(&start.0, &end) < 1e-14);
         // The second component is the coin.
@@ -220,7 +195,7 @@ fn generators_alternate_in_both_orders() {
     let (w, step) = (generic(SIZE, 0.3), 0.1);
     let generators = || vec![generic(SIZE, 1.0), generic(SIZE, 2.0)];
     let midpoint = RungeKutta::implicit_midpoint();
-    let noisy = NoisyIsospectral::new(midpoint, Still, generators(), paths(step));
+    let noisy = NoisyIsospectral::new(midpoint, Still(SIZE), generators(), paths(step));
     let noisy = noisy.with_rule(NoiseRule::Alternating);
     let mut products = Products::default();
     let mut seen = [false; 2];
@@ -249,59 +224,6 @@ fn generators_alternate_in_both_orders() {
     assert_eq!(seen, [true; 2]);
 }
 
-/// h = ⟨D, W⟩ with |D| = 1 on the sphere of the matrices of trace 0 and |W| = 1: ⟨h⟩ = −(coth x − 1/x), x = 1/kT.
-struct Linear;
-
-impl IsospectralField for Linear {
-    fn size(&self) -> usize {
-        2
-    }
-
-    fn generator_into(&self, _: &Large, generator: &mut Large) {
-        *generator = axis();
-        generator.scale_in_place(-1.0);
-    }
-}
-
-fn axis() -> Large {
-    let sign = |j: usize| if j == 0 { 0.5_f64.sqrt() } else { -0.5_f64.sqrt() };
-    Large::from_upper(2, |j, k| Complex::new(0.0, if j == k { sign(j) } else { 0.0 }))
-}
-
-#[test]
-#[ignore = "long"]
-fn a_matrix_at_a_temperature_has_langevins_mean() {
-    let (friction, temperature, step, blocks) = (0.5, 0.5, 0.05, 40_u64);
-    for rule in [NoiseRule::Together, NoiseRule::Alternating] {
-        let damped = IsospectralDoubleBracket::new(Linear, friction, Sign::Minus).unwrap();
-        let noise = IsotropicIsospectralNoise::thermal(2, (friction, temperature)).unwrap();
-        let midpoint = RungeKutta::implicit_midpoint();
-        let noisy = NoisyIsospectral::new(midpoint, damped, noise, paths(step)).with_rule(rule);
-        let w = Large::from_upper(2, |j, k| {
-            Complex::new(if j == k { 0.0 } else { 0.5_f64.sqrt() }, 0.0)
-        });
-        let (mut state, mut workspace) = (on_path(w, 1), noisy.workspace());
-        let mut mean = |block: u64| {
-            let mut sum = 0.0;
-            for n in block * 1000..(block + 1) * 1000 {
-                noisy.advance(&mut state, step, n..n + 1, &mut workspace).unwrap();
-                sum += axis().scalar_product(&state.0) / 1000.0;
-            }
-            sum
-        };
-        mean(0);
-        let means: Vec<f64> = (1..=blocks).map(&mut mean).collect();
-        let number = blocks as f64;
-        let found = means.iter().sum::<f64>() / number;
-        let variance = means.iter().map(|m| (m - found).powi(2)).sum::<f64>() / (number - 1.0);
-        let error = (variance / number).sqrt();
-        let exact = |x: f64| -(x.tanh().recip() - x.recip());
-        assert!((found - exact(1.0 / temperature)).abs() < 4.0 * error + 2e-3, "{found} ± {error}");
-        // Control: another temperature.
-        assert!((found - exact(0.7 / temperature)).abs() > 4.0 * error + 2e-3, "{found} ± {error}");
-    }
-}
-
 #[test]
 fn other_sizes_are_refused() {
     let noise = IsotropicIsospectralNoise { size: SIZE + 1, strength: 1.0 };
@@ -310,7 +232,7 @@ fn other_sizes_are_refused() {
     assert!(generator.norm().is_nan());
     for rule in [NoiseRule::Together, NoiseRule::Alternating] {
         let noisy =
-            NoisyIsospectral::new(RungeKutta::implicit_midpoint(), Still, noise, paths(0.1));
+            NoisyIsospectral::new(RungeKutta::implicit_midpoint(), Still(SIZE), noise, paths(0.1));
         let noisy = noisy.with_rule(rule);
         let start = on_path(generic(SIZE, 0.3), 0);
         let mut state = start.clone();

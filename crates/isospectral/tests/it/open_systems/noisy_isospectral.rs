@@ -1,13 +1,13 @@
 //! Isospectral equations with noise: spectra, strong orders, and paths that are functions of time.
 
-use crate::examples::{Quadratic, casimirs, distance, generic};
+use crate::examples::{Quadratic, distance, generic};
+use crate::open_systems::support::{Large, drift, on_path};
 use isospectral_flows::collective_integrators::{
-    BrownianPaths, Integrator, PathAndTime, RungeKutta, Start, StepError, fitted_order,
+    BrownianPaths, Integrator, RungeKutta, Start, StepError, fitted_order,
 };
-use isospectral_flows::lie_poisson::{Pair, PathNumber, State, Time, larger};
+use isospectral_flows::lie_poisson::{Pair, PathNumber, State, Time};
 use isospectral_flows::{
-    IsospectralField, IsospectralNoise, IsospectralRungeKutta, LargeSkewHermitian,
-    NoisyIsospectral, Products,
+    IsospectralField, IsospectralNoise, IsospectralRungeKutta, NoisyIsospectral, Products,
 };
 
 const SIZE: usize = 3;
@@ -15,17 +15,11 @@ const SIZE: usize = 3;
 /// The length of the intervals of the paths, and the shortest step.
 const FINE: f64 = 1.0 / 256.0;
 
-type Large = LargeSkewHermitian;
-
 type Midpoint = NoisyIsospectral<RungeKutta, Quadratic, Vec<Large>>;
 
 fn midpoint(noise: Vec<Large>) -> Midpoint {
     let paths = BrownianPaths::new(5, FINE).unwrap();
     NoisyIsospectral::new(RungeKutta::implicit_midpoint(), Quadratic(SIZE), noise, paths)
-}
-
-fn on_path(w: Large, path: u64) -> Pair<Large, PathAndTime<f64>> {
-    Pair(w, Pair(PathNumber(path as f64), Time(0.0)))
 }
 
 /// Returns so many generators, which do not commute.
@@ -36,11 +30,6 @@ fn generators(count: usize) -> Vec<Large> {
         xi
     };
     (0..count).map(|k| scaled(k as f64)).collect()
-}
-
-fn drift(start: &Large, end: &Large) -> f64 {
-    let changes = casimirs(start).into_iter().zip(casimirs(end)).map(|(a, b)| (a - b).abs());
-    changes.fold(0.0, larger)
 }
 
 /// A step of Heun's method, the explicit method that has Stratonovich's noise too.
