@@ -27,6 +27,9 @@ use lie_poisson::{DissipationError, State, thermal_strength};
 /// 1 + ½ c²s Δ + c⁴s²/24 (3Δ² + N Δ) + O(s³) = exp(½ s Δ) + O(s³)    if c² = 1 − Ns/12 + O(s²).
 /// ```
 ///
+/// The same holds for each compact group with an inner product that is invariant under the adjoint action, with the Casimir C of the
+/// adjoint representation in place of 2N: c² = 1/(1 + Cs/24), C = 2 for rotations. Noise without some directions has no such c.
+///
 /// Besides the symmetry of the increments this needs their second and fourth moments to O(h³). Bounds keep them: √(2ℓ |ln h|)
 /// standard deviations change both by parts of the size hˡ, so that ℓ = 2 is enough, and 6 by the parts 4e-9 and 1e-7, at every h.
 ///
