@@ -46,6 +46,21 @@ def test_statistics_are_those_of_the_paths_one_by_one(system, start, step):
     assert np.abs(found.y.mean[:, -1] - other.mean(axis=0)).max() > 1e-3
 
 
+def test_a_tolerance_costs_no_casimir_without_a_lift():
+    asked = {"paths": 12, "step": 0.1, "end": 2, "scheme": "implicit-midpoint"}
+    exact = solve_paths(WARM, [1, 0, 0], formulation="reduced", **asked)
+    quick = solve_paths(WARM, [1, 0, 0], formulation="reduced", tolerance=1e-4, **asked)
+    lifted = solve_paths(WARM, [1, 0, 0], formulation="collective", tolerance=1e-4, **asked)
+    apart = np.abs(exact.y.mean - quick.y.mean).max()
+    assert 0 < apart < 1e-2
+    # Twenty steps, each with some roundings.
+    assert np.abs(quick.invariants["c1"].mean - 1).max() < 1e-13 < 1e-9 < np.abs(lifted.invariants["c1"].mean - 1).max()
+    with pytest.raises(ValueError, match="tolerance"):
+        solve_paths(WARM, [1, 0, 0], formulation="reduced", tolerance=-1, **asked)
+    with pytest.raises(ValueError, match="reduced with implicit-midpoint"):
+        solve_paths(WARM, [1, 0, 0], formulation="reduced", **{**asked, "scheme": "gauss-4"})
+
+
 def test_names_give_the_rows_of_runs():
     found = solve_paths(WARM, [1, 0, 0], paths=4, step=0.1, end=0.5, quantiles=[0.1, 0.9])
     assert np.array_equal(found["Pi3"].mean, found.y.mean[2]) and found["Pi"].error.shape == (3, 6)

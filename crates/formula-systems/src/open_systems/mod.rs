@@ -3,6 +3,7 @@
 pub(crate) mod named_inputs;
 pub(crate) mod open_names;
 mod spin_terms;
+mod elements;
 pub(crate) mod open_terms;
 pub(crate) mod open_system;
 pub(crate) mod open_field;

@@ -1,13 +1,11 @@
 //! The field of an open system on states of any dimension: [`OpenField`].
 
+use super::elements::open_element::add;
 use super::open_system::OpenSystem;
-use super::open_terms::{Damping, NoiseFields};
-use super::spin_terms::{damp_spins, shake_spins};
 use crate::realisations::quadratic_momenta::QuadraticMomenta;
 use collective_integrators::{AnyState, NoisePart, VectorField, Window};
 use core::cell::RefCell;
 use lie_poisson::{Pair, Real, State};
-use lie_poisson_formulas::Formula;
 use nalgebra::Vector2;
 
 /// A state: the point of a realisation or the momentum, the number of the path with the time in intervals, and the attitude, which
@@ -60,7 +58,7 @@ impl<T: Real> OpenField<'_, T> {
     pub(super) fn place(&self, Pair(z, Pair(clock, _)): &OpenState<T>) {
         let scratch = &mut *self.scratch.borrow_mut();
         self.place_in(z, clock, scratch);
-        self.element(self.system.base().algebra().dimension(), scratch);
+        self.element(scratch);
     }
 
     /// Writes the momentum of a state with the time and the inputs.
@@ -80,48 +78,9 @@ impl<T: Real> OpenField<'_, T> {
     }
 
     /// Writes the element of the algebra with which the momentum moves: that of the drift, and of the noise.
-    fn element(&self, dimension: usize, scratch: &mut Scratch<T>) {
+    fn element(&self, scratch: &mut Scratch<T>) {
         let Scratch { x, xi, rate, element } = scratch;
-        let (base, terms) = (self.system.base(), self.system.terms());
-        let (NoisePart { drift, weights, .. }, all) = (self.part, x.len());
-        xi.fill(T::zero());
-        if drift != 0.0 {
-            let mut write = |slopes: &[T]| xi.iter_mut().zip(slopes).for_each(|(xi, s)| *xi = *s);
-            match &terms.hamiltonian {
-                Some(hamiltonian) => hamiltonian.with_differential(all, |i| x[i], &mut write),
-                None => base.hamiltonian().with_differential(dimension, |i| x[i], &mut write),
-            }
-            if let Some(drive) = &terms.drive {
-                add(drive, x, T::one(), xi);
-            }
-            if let Some(damping) = &terms.damping {
-                self.coadjoint(xi, x, rate);
-                match damping {
-                    Damping::Gilbert(damping) => damp_spins(*damping, x, rate, xi),
-                    Damping::DoubleBracket { friction, inner_product } => {
-                        inner_product.write_sharp(rate, element);
-                        let pairs = xi.iter_mut().zip(element.iter());
-                        pairs.for_each(|(xi, sharp)| *xi += *sharp * *friction);
-                    }
-                }
-            }
-        }
-        match terms.noise.as_ref().map(|noise| &noise.fields) {
-            Some(_) if weights.is_empty() => {}
-            Some(NoiseFields::Isotropic(noise)) => {
-                noise.inner_product.write_orthonormal(weights, element);
-                let pairs = xi.iter_mut().zip(element.iter());
-                pairs.for_each(|(xi, sigma)| *xi += *sigma * noise.strength);
-            }
-            Some(NoiseFields::OfSpins { damping, temperature }) => {
-                shake_spins(*damping, *temperature, (x, weights), xi);
-            }
-            Some(NoiseFields::Formulas(fields)) => {
-                let fields = fields.iter().zip(weights);
-                fields.for_each(|(field, weight)| add(field, x, *weight, xi));
-            }
-            None => {}
-        }
+        self.system.write_element((self.part.drift, self.part.weights), x, [xi, rate, element]);
     }
 
     /// Adds the torque to a rate.
@@ -129,22 +88,6 @@ impl<T: Real> OpenField<'_, T> {
         if let Some(torque) = &self.system.terms().torque {
             add(torque, x, T::from_f64(self.part.drift), rate);
         }
-    }
-
-    /// Writes Λ(μ) ξ.
-    fn coadjoint(&self, xi: &[T], mu: &[T], rate: &mut [T]) {
-        let base = self.system.base();
-        base.algebra().table().coadjoint(xi, mu, rate);
-        if base.has_plus_bracket() {
-            rate.iter_mut().for_each(|rate| *rate = -*rate);
-        }
-    }
-}
-
-/// Adds the values of formulas, times a weight, to an element.
-fn add<T: Real>(formulas: &[Formula], x: &[T], weight: T, element: &mut [T]) {
-    for (formula, element) in formulas.iter().zip(element) {
-        *element += formula.value_of(x.len(), |i| x[i]) * weight;
     }
 }
 
@@ -173,7 +116,7 @@ impl<T: Real> VectorField<T> for OpenField<'_, T> {
             return;
         }
         if self.motions != Motions::AlongElement {
-            self.element(self.system.base().algebra().dimension(), scratch);
+            self.element(scratch);
         }
         let Scratch { x, xi, element, .. } = scratch;
         match self.momenta {
@@ -182,7 +125,7 @@ impl<T: Real> VectorField<T> for OpenField<'_, T> {
                 momenta.generator(element, z.as_slice(), rate.as_mut_slice());
             }
             None => {
-                self.coadjoint(xi, x, rate.as_mut_slice());
+                self.system.write_coadjoint(xi, x, rate.as_mut_slice());
                 if self.motions == Motions::All {
                     self.add_torque(x, rate.as_mut_slice());
                 }

@@ -159,9 +159,10 @@ class System(SystemDescription):
                 keeps quadratic Casimirs with the implicit schemes. so(n), so(p,q), sp(2n,R) and gl(n) of dimension 4 to 64
                 have "collective" along copies of their matrices, their default. Others without a centre, or with a derivation
                 or a cocycle that does not vanish there, have it by a Clebsch map, which keeps Casimirs to the order of the
-                scheme, or to round-off where the representation allows it.
+                scheme, or to round-off where the representation allows it. With noise, "reduced" is on so(3), su(2) and se(3),
+                without a torque, with the scheme "implicit-midpoint".
             tolerance: of the stage equations of implicit schemes, relative to the state, at most 1e-3; 0 iterates to
-                round-off.
+                round-off. With noise, "reduced" keeps the Casimirs for every tolerance: 1e-6 makes its steps faster.
             every: keep each n-th sample; the last one is always kept.
             events: functions of the state whose zeros are found; as for `Top.solve`. With noise they are of the time alone, as
                 surfaces of `section` are.

@@ -299,3 +299,32 @@ fn an_ensemble_has_means_with_errors_and_quantiles() {
     );
     assert!(!folder.path("no.csv").exists() && !folder.path("no.csv.partial").exists());
 }
+
+/// A tolerance of the stages is an error of the path alone by `reduced`; by the lift it is one of |Π|², too.
+#[test]
+fn paths_without_a_lift_keep_the_casimirs_for_a_tolerance() {
+    let folder = Folder::new();
+    folder.write("a.toml", &format!("{SPIN}[damping]\nfriction = 0.5\n[noise]\ntemperature = 1\n"));
+    let run = |formulation: &str, tolerance: &str| {
+        let keys = ["formulation", "scheme", "tolerance", "end"];
+        let values = [formulation, "'implicit-midpoint'", tolerance, "4"];
+        let sets: Vec<_> = keys
+            .iter()
+            .zip(values)
+            .map(|(key, value)| format!("integrator.{key}={value}"))
+            .collect();
+        let mut arguments = vec!["simulate", "a.toml", "--force", "--out", "a.csv"];
+        arguments.extend(sets.iter().flat_map(|set| ["--set", set]));
+        succeeded(&folder.heavytop(&arguments));
+        numbers(&folder.read("a.csv")).1
+    };
+    let length = |row: &[f64]| row[1..4].iter().map(|x| x * x).sum::<f64>();
+    let change = |rows: &[Vec<f64>]| (length(&rows[rows.len() - 1]) - length(&rows[0])).abs();
+    let [exact, quick, lifted] =
+        [("'reduced'", "0"), ("'reduced'", "1e-4"), ("'collective'", "1e-4")]
+            .map(|(f, t)| run(f, t));
+    let last = exact.len() - 1;
+    let apart = |a: f64, b: f64| (a - b).abs();
+    assert!(apart(exact[last][3], quick[last][3]) < 1e-2 && exact[last] != quick[last]);
+    assert!(change(&exact) < 1e-13 && change(&quick) < 1e-13 && change(&lifted) > 1e-9);
+}
