@@ -117,10 +117,8 @@ impl OpenSystem {
     /// otherwise collective.
     #[must_use]
     pub fn default_formulation(&self) -> Formulation {
-        match self.terms().torque.is_none() {
-            true => self.base().algebra().default_formulation(),
-            false => Formulation::Direct,
-        }
+        let all = self.terms().formulations(self.base().algebra());
+        all.first().copied().unwrap_or_default()
     }
 
     /// Returns the method of a formulation and a scheme.
@@ -146,20 +144,20 @@ impl OpenSystem {
             scheme,
             has: has.into(),
         };
-        match (formulation, self.terms().torque.is_some()) {
-            (Formulation::Direct, _) | (Formulation::Collective, false) => {
-                algebra.method(formulation, scheme, tolerance)
+        if self.terms().torque.is_some() && formulation != Formulation::Direct {
+            return Err(refused(
+                "with a torque, which takes it off its coadjoint orbit, it has direct",
+            ));
+        }
+        let is_midpoint = scheme == SchemeName::ImplicitMidpoint;
+        match formulation {
+            Formulation::Reduced if !self.terms().formulations(algebra).contains(&formulation) => {
+                Err(refused("it has collective and direct"))
             }
-            (Formulation::Reduced, false) if self.has_reduced() => match scheme {
-                SchemeName::ImplicitMidpoint => algebra.method(formulation, scheme, tolerance),
-                _ => Err(refused(
-                    "with noise it has reduced with implicit-midpoint alone; collective and direct have others",
-                )),
-            },
-            (_, true) => {
-                Err(refused("with a torque, which takes it off its coadjoint orbit, it has direct"))
-            }
-            _ => Err(refused("it has collective and direct")),
+            Formulation::Reduced if !is_midpoint => Err(refused(
+                "with noise it has reduced with implicit-midpoint alone; collective and direct have others",
+            )),
+            _ => algebra.method(formulation, scheme, tolerance),
         }
     }
 
@@ -193,14 +191,6 @@ impl OpenSystem {
         attitude: Quaternion,
     ) -> Result<AnyIntegrator, FormulaSystemError> {
         Ok(self.integrator(method, start, Some(attitude))?.erased(start).without_tangents())
-    }
-
-    /// Returns whether there is the midpoint rule without a lift: for paths of a noise without a torque on so(3)∗ and se(3)∗.
-    fn has_reduced(&self) -> bool {
-        let family = self.base().algebra().family;
-        self.paths().is_some()
-            && self.terms().torque.is_none()
-            && matches!(family, Family::Rotations | Family::Motions)
     }
 
     /// Returns whether the system is a body with an attitude: whether its algebra is that of rotations or of rigid motions, with the

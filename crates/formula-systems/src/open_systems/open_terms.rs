@@ -2,9 +2,11 @@
 
 use super::named_inputs::NamedInputs;
 use super::spin_terms::require_spins;
+use crate::algebras::family::Family;
 use crate::algebras::system_algebra::SystemAlgebra;
 use crate::open_system_error::OpenSystemError;
 use collective_integrators::NoiseRule;
+use heavytop::methods::Formulation;
 use lie_poisson::{InnerProduct, IsotropicNoise};
 use lie_poisson_formulas::Formula;
 
@@ -132,6 +134,24 @@ impl NoiseFields {
 }
 
 impl OpenTerms {
+    /// Returns the formulations of an algebra that take the terms, the default one first: with a torque, which takes a motion off its
+    /// coadjoint orbit, direct alone; otherwise direct and, where the algebra has it, collective; and with noise reduced, too, on so(3),
+    /// su(2) and se(3).
+    #[must_use]
+    pub fn formulations(&self, algebra: &SystemAlgebra) -> Vec<Formulation> {
+        if self.torque.is_some() {
+            return vec![Formulation::Direct];
+        }
+        let first = algebra.default_formulation();
+        let has_multipliers = matches!(algebra.family, Family::Rotations | Family::Motions);
+        let others = algebra.formulations().filter(|other| match other {
+            Formulation::Collective | Formulation::Direct => *other != first,
+            Formulation::Reduced => self.noise.is_some() && has_multipliers,
+            Formulation::Splitting => false,
+        });
+        core::iter::once(first).chain(others).collect()
+    }
+
     /// Returns the friction of a system at a temperature: noise is in the inner product of the friction, σ² = 2θkT, or that of
     /// Gilbert's damping. Noise of a strength beside friction is at one, too.
     pub(super) fn thermal_friction(&self) -> Option<f64> {

@@ -5,7 +5,6 @@ use crate::errors::refused;
 use crate::formulas::{FormulaSource, expressions};
 use collective_integrators::NoiseRule;
 use core::ops::Deref;
-use heavytop::methods::Formulation;
 use lie_poisson::{InnerProduct, InputTable, Interpolation, IsotropicNoise};
 use lie_poisson_formula_systems::{
     Damping, FormulaSystem, NamedInputs, NoiseFields, NoiseTerms, OpenNames, OpenSystem,
@@ -153,23 +152,6 @@ pub(crate) fn of_formula(
         Some(names) => names.system_by(formula, made),
     };
     system.map_err(refused)
-}
-
-/// Returns the formulations of a system, the default one first: with a torque "direct" alone, with other forces "collective" and
-/// "direct", and those of the algebra without.
-pub(crate) fn formulations(algebra: &SystemAlgebra, terms: Option<&OpenTerms>) -> Vec<Formulation> {
-    if terms.is_some_and(|terms| terms.torque.is_some()) {
-        return vec![Formulation::Direct];
-    }
-    let first = algebra.default_formulation();
-    let is_open = terms.is_some();
-    let has = |other: &Formulation| {
-        let takes_forces = matches!(other, Formulation::Collective | Formulation::Direct);
-        *other != first && (takes_forces || !is_open)
-    };
-    let mut all = vec![first];
-    all.extend(algebra.formulations().filter(has));
-    all
 }
 
 /// The seed, the path, the interval and the bound of a noise.

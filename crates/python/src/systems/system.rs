@@ -4,9 +4,7 @@ use super::algebra::{
     AlgebraSource, Groups, ParameterArgument, Realisation, groups, parameters, realised,
 };
 use super::named_inputs::{formulas_of_forces, require_named, unnamed_inputs};
-use super::open::{
-    ModelOfRun, OpenArgument, WITHOUT_PATH, formulations, inputs, of_formula, terms,
-};
+use super::open::{ModelOfRun, OpenArgument, WITHOUT_PATH, inputs, of_formula, terms};
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::formulas::FormulaSource;
@@ -207,7 +205,14 @@ impl System {
     /// The formulations that the algebra has, the default one first.
     #[getter]
     fn formulations(&self) -> Vec<String> {
-        let all = formulations(self.system.algebra(), self.terms.as_ref());
+        let algebra = self.system.algebra();
+        let first = algebra.default_formulation();
+        let all = match &self.terms {
+            Some(terms) => terms.formulations(algebra),
+            None => core::iter::once(first)
+                .chain(algebra.formulations().filter(|other| *other != first))
+                .collect(),
+        };
         all.iter().map(|formulation| formulation.name().to_owned()).collect()
     }
 
