@@ -74,9 +74,9 @@ fn mean_energy(
 fn a_matrix_at_a_temperature_has_langevins_mean() {
     for rule in [NoiseRule::Together, NoiseRule::Alternating] {
         let (found, error) = mean_energy((thermal(), rule), 0.05, 40);
-        assert!((found - langevin(TEMPERATURE)).abs() < error + 2e-3, "{found} ± {error}");
+        assert!((found - langevin(TEMPERATURE)).abs() < error, "{found} ± {error}");
         // Control: another temperature.
-        assert!((found - langevin(TEMPERATURE / 0.7)).abs() > error + 2e-3, "{found} ± {error}");
+        assert!((found - langevin(TEMPERATURE / 0.7)).abs() > error, "{found} ± {error}");
     }
 }
 
