@@ -95,7 +95,8 @@ fn drifts(steps: u64) -> Vec<(String, f64)> {
         ("a Hamiltonian with the time".into(), drift_of((Oscillating, NO_NOISE, still), steps)),
         ("inputs by tables".into(), drift_of((driven, NO_NOISE, still), steps)),
         ("a control law".into(), drift_of((controlled, NO_NOISE, still), steps)),
-        ("a double bracket".into(), drift_of((damped(0.1), NO_NOISE, still), steps)),
+        // Weak enough not to bring the motion to rest, where all steps make the same rounding errors: 3e-12 after 10⁶ steps.
+        ("a double bracket".into(), drift_of((damped(1e-4), NO_NOISE, still), steps)),
     ];
     for (name, rule) in RULES {
         let noise: Vec<Large> = [1.0, 2.0]
@@ -143,10 +144,9 @@ fn each_field_keeps_the_casimirs_of_a_path() {
 #[ignore = "takes minutes"]
 fn each_field_keeps_the_casimirs_of_su3_many_times() {
     let steps = 1_000_000;
-    for (name, drift) in drifts(steps) {
-        println!("{name}: the Casimirs after {steps} steps: {drift:e}");
-        // 3.2e-12 was measured for the double bracket, ten times as much as for a control law.
-        let bound = if name == "a double bracket" { 1e-11 } else { 1e-12 };
-        assert!(drift < bound, "{name}: {drift:e}");
+    let found = drifts(steps);
+    found.iter().for_each(|(name, drift)| println!("{name}: {drift:e}"));
+    for (name, drift) in found {
+        assert!(drift < 1e-12, "{name}: {drift:e}");
     }
 }
