@@ -125,7 +125,7 @@ impl OpenSystem {
     ///
     /// With noise, `reduced` is the collective midpoint rule without a lift. Each step moves the momentum along its coadjoint orbit by an
     /// element of the group, exactly, so that the Casimirs of each path are kept to round-off for any tolerance of its stages: 1e-6, far
-    /// below the error of sampling, about halves the time of a step. By `collective` a tolerance is an error of the Casimirs, too.
+    /// below the error of sampling, halves the time of a step. By `collective` a tolerance is an error of the Casimirs, too.
     ///
     /// # Errors
     /// Returns [`FormulaSystemError::NoMethod`] if the system does not have the formulation with the scheme: only the direct one

@@ -278,8 +278,8 @@ class System(SystemDescription):
         return crossings(native.follow(run.setting, end, NEVER, [(function, way, bound)]))
 
     def _formulation_of_tangents(self) -> str:
-        """The formulation of tangent vectors unless another one is asked for: without fibres, where there is one."""
-        return "reduced" if "reduced" in self.formulations else "direct"
+        """The formulation of tangent vectors unless another one is asked for: without fibres, where there is one with every scheme."""
+        return "reduced" if "reduced" in self.formulations and not self._system.is_open else "direct"
 
     def _warn_of_end(self, states: Floats, stacklevel: int) -> None:
         """Warns about invariants of which a run has used up the digits; the states are rows."""

@@ -2,6 +2,7 @@
 
 use super::support::{Texts, distance, open};
 use collective_integrators::{AnyState, Integrator, NoiseRule, Start};
+use heavytop::methods::Formulation;
 use lie_poisson::{InputTable, Interpolation, Quaternion};
 use lie_poisson_formula_systems::OpenSystem;
 
@@ -151,6 +152,12 @@ fn what_the_rule_cannot_follow_is_refused() {
     let spins = Texts { temperature: Some(0.2), friction: Some(0.3), ..Texts::default() };
     let spins = open("so(3) + so(3)", "0", &spins, STEP).unwrap();
     assert!(refused(&spins, "implicit-midpoint").contains("collective and direct"));
+    let names = |system: &OpenSystem| {
+        let own = system.terms().formulations(system.base().algebra());
+        own.into_iter().map(Formulation::name).collect::<Vec<_>>()
+    };
+    assert_eq!(names(&warm), ["collective", "reduced", "direct"]);
+    assert_eq!(names(&spins), ["collective", "direct"]);
     let midpoint = "implicit-midpoint".parse().unwrap();
     let method = warm.method("reduced".parse().unwrap(), midpoint, 0.0).unwrap();
     let turned = warm.integrator_with_attitude(&method, &start, Quaternion::one());
