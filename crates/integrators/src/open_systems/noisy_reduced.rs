@@ -63,6 +63,8 @@ pub struct NoisyReduced<M, X, N> {
     paths: BrownianPaths,
     rule: NoiseRule,
     solver: StageSolver,
+    /// Whether the fields of the noise are constant: a step finds their sum once.
+    is_constant: bool,
     /// Whether the flow of each field of the noise is that of an affine field on 𝔤∗.
     has_flows: bool,
 }
@@ -80,10 +82,10 @@ impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
         X: OrbitField<M::Space>,
         N: Noise<M::Space>,
     {
-        let has_flows =
-            noise.is_constant() && has_affine_generators(&Identity(multipliers.space()));
+        let is_constant = noise.is_constant();
+        let has_flows = is_constant && has_affine_generators(&Identity(multipliers.space()));
         let rule = NoiseRule::Together;
-        Self { multipliers, field, noise, paths, rule, solver: FIXED_POINT, has_flows }
+        Self { multipliers, field, noise, paths, rule, solver: FIXED_POINT, is_constant, has_flows }
     }
 
     /// Returns the integrator with another rule for the noise. [`NoiseRule::Alternating`] has the weak order 2 if the noise is
@@ -122,26 +124,31 @@ impl<M, X, N> NoisyReduced<M, X, N> {
 }
 
 /// The rate ζ = a ξ + Σ_k w_k σ_k at a time, with a = 0 or 1.
-struct Rate<'a, X, N, T> {
+struct Rate<'a, P: PoissonSpace, X, N, T: Real> {
     field: &'a X,
     noise: &'a N,
     time: T,
     drift: f64,
     weights: &'a [T],
+    /// Σ_k w_k σ_k, if it does not depend on the momentum.
+    constant: Option<Differential<P, T>>,
 }
 
-impl<X, N, T: Real> Rate<'_, X, N, T> {
+impl<P, X, N, T: Real> Rate<'_, P, X, N, T>
+where
+    P: PoissonSpace,
+    X: OrbitField<P, T>,
+    N: Noise<P, T>,
+{
     #[cfg_attr(optimised, inline(always))]
-    fn at<P: PoissonSpace>(&self, mu: &Point<P, T>) -> Differential<P, T>
-    where
-        X: OrbitField<P, T>,
-        N: Noise<P, T>,
-    {
+    fn at(&self, mu: &Point<P, T>) -> Differential<P, T> {
         let mut zeta = Vector::zero();
         if self.drift != 0.0 {
             zeta = self.field.element(mu, self.time);
         }
-        if !self.weights.is_empty() {
+        if let Some(constant) = self.constant {
+            zeta += constant;
+        } else if !self.weights.is_empty() {
             zeta += self.noise.element(mu, self.time, self.weights);
         }
         zeta
@@ -181,7 +188,10 @@ impl<M: InvertibleMultipliers, X, N> NoisyReduced<M, X, N> {
                 mu,
             );
         }
-        let rate = Rate { field: &self.field, noise: &self.noise, time, drift, weights };
+        let is_constant = self.is_constant && !weights.is_empty();
+        let constant = is_constant.then(|| self.noise.element(mu, time, weights));
+        let (field, noise) = (&self.field, &self.noise);
+        let rate = Rate { field, noise, time, drift, weights, constant };
         let mut zeta = [Vector::zero()];
         let sweeps = self.solver.solve(
             rate.at(mu),
