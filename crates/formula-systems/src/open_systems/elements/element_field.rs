@@ -1,7 +1,8 @@
 //! The element of an open system as a field and as a noise: [`ElementField`].
 
 use crate::open_systems::open_system::OpenSystem;
-use crate::open_systems::open_terms::NoiseFields;
+use crate::open_systems::open_terms::{NoiseFields, NoiseTerms};
+use collective_integrators::NoiseRule;
 use lie_poisson::{LieAlgebra, LiePoisson, Momentum, Noise, OrbitField, Real, State, Vector};
 
 /// The largest dimension of an algebra whose multipliers are known: that of se(3).
@@ -78,6 +79,11 @@ impl<A: LieAlgebra, T: Real> Noise<LiePoisson<A>, T> for ElementField {
     }
 
     fn is_constant(&self) -> bool {
-        self.noise().is_some_and(|noise| noise.are_constant(A::Element::<f64>::DIM))
+        // The noise of Gilbert's damping depends on the lengths of spins: flows keep them, and the middle of a step does not.
+        self.system.terms().noise.as_ref().is_some_and(|NoiseTerms { fields, rule, .. }| {
+            let follows =
+                *rule == NoiseRule::Together && matches!(fields, NoiseFields::OfSpins { .. });
+            !follows && fields.are_constant(A::Element::<f64>::DIM)
+        })
     }
 }

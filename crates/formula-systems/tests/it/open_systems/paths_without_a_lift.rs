@@ -82,6 +82,21 @@ fn paths_are_those_of_the_lift() {
     }
 }
 
+/// The strength of the noise of Gilbert's damping depends on |s|, which is smaller in the middle of a step.
+#[test]
+fn paths_with_gilberts_damping_are_those_of_the_lift() {
+    let start = [0.6, -0.5, 1.2];
+    for rule in [NoiseRule::Together, NoiseRule::Alternating] {
+        let warm = Texts { gilbert: Some(0.5), temperature: Some(0.5), rule, ..Texts::default() };
+        let spin = open("so(3)", "-2*Pi3", &warm, STEP).unwrap();
+        let [reduced, lifted] =
+            ["reduced", "collective"].map(|name| after(&spin, (name, 0.0), &start, 60));
+        // 60 steps, each with some roundings of each of its sweeps.
+        assert!(distance(&reduced, &lifted) < 1e-12, "{rule:?} {reduced:?} {lifted:?}");
+        assert!(change(&spin, &start, &reduced) < 5e-14);
+    }
+}
+
 /// Motions with the plus bracket are those along −ξ, with noise, too.
 #[test]
 fn paths_with_the_plus_bracket_are_those_of_the_lift() {
