@@ -52,8 +52,8 @@ impl OpenNames {
         Ok(Self { algebra, parameters, frozen, vocabulary, directions: &[] })
     }
 
-    /// Returns the names where those of some vectors of coordinates are directions in space, on which no torque acts: their lengths
-    /// and angles have a meaning, as the vertical Γ of a top with |Γ| = 1.
+    /// Returns the names, of which these stand for directions in space, on which no torque acts: their lengths and the angles between
+    /// them have a meaning, such as |Γ| = 1 of the vertical Γ of a top.
     #[must_use]
     pub fn with_directions(self, directions: &'static [&'static str]) -> Self {
         Self { directions, ..self }

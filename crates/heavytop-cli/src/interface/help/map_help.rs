@@ -248,9 +248,10 @@ relative-drift, with relative_drift_h, relative_drift_c1, ...; lyapunov, megno a
 100 s, both shortened as for tops.
 
 With forces, as of simulate, an axis may also vary damping.friction, noise.temperature,
-noise.strength or a value of an input, inputs.u.values[2]. The observables are final-state and
-invariant-drift, which tells the change of what the motion does not keep. All members are on the
-same path of the noise; heavytop ensemble averages over paths. The formulation is as for simulate.
+noise.strength or a value of an input, inputs.u.values[2]. The observables are final-state;
+invariant-drift, which tells the change of what the motion does not keep; lyapunov, megno and sali.
+All members are on the same path of the noise; heavytop ensemble averages over paths. The
+formulation is as for simulate.
 
 Examples:
   heavytop sweep --out sweep                      # a small map about the paper's top
