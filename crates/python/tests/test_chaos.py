@@ -77,7 +77,7 @@ def test_a_run_that_fails_is_reported_and_harms_no_other():
         (dict(exponents=7), "from 1 to 6"),
         (dict(exponents=0), "exponents must be a whole number from 1"),
         (dict(exponents=2, sali=True), "exponents must be 1 if sali"),
-        (dict(formulation="collective"), "use reduced"),
+        (dict(formulation="collective"), "leave it out"),
         (dict(y0=[1, 2]), "shape"),
         (dict(end=0.07), "nearest ends"),
         (dict(scheme="euler"), "scheme must be one of"),

@@ -344,6 +344,9 @@ def test_an_input_that_no_formula_names_is_refused():
             follow()
     # Any formula names it, those of events and a factor 0, too.
     assert idle.solve(SPIN, events="Pi3 - u", **run).success and idle.solve(SPIN, events="Pi3 - 0*u", **run).success
+    # The states between the samples of such a run are there, too.
+    watched = idle.solve(SPIN, events="Pi3 - u", **run)
+    assert np.array_equal(watched.sol(watched.t), watched.y)
     assert idle.section(SPIN, "u", value=0.025, **run).t == pytest.approx([0.5])
     for forces in ({"torque": ["0*u", 0, 0]}, {"drive": lambda x, t: [x.u, 0, 0]}, {"noise": {"fields": [["u", 0, 0]]}}):
         assert System("so(3)", "-Pi1", inputs=table, **forces).solve(SPIN, **run).success

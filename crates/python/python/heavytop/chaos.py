@@ -87,7 +87,8 @@ def lyapunov(
         every: keep the indicators after each n-th step, too; without it those of the end alone.
         scheme: as for `Top.solve` and `System.solve`.
         formulation: as for them, but not "collective", whose tangent vectors belong to another space; "reduced" makes the
-            same steps. The default is "reduced" where there is one, and "direct" elsewhere.
+            same steps. The default is "reduced" where there is one, and "direct" elsewhere and for systems with the time, a drive,
+            damping, noise or a torque.
 
     Raises:
         ValueError: if an argument is out of its range, or friction, a force or noise acts on a system of arrays.
@@ -121,7 +122,7 @@ def lyapunov(
     if number > dimension:
         raise ValueError(f"exponents must be from 1 to {dimension}, got {number}")
     if formulation == "collective":
-        raise ValueError("formulation must not be collective: its tangent vectors belong to another space; use reduced")
+        raise ValueError("formulation must not be collective: its tangent vectors belong to another space; leave it out")
     times = (*course(step, end), 0 if every is None else count("every", every, 1))
     rows, followed = states.reshape(dimension, -1).T, followed_exponents(number, flag("sali", sali))
     if isinstance(system, System):

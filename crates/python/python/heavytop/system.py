@@ -57,7 +57,7 @@ class System(SystemDescription):
         momenta: instead of a representation, symmetric matrices S of shape (d, 2m, 2m) of the momenta J_a = z.S_a z/2, z = (q, p). Either
             sign of the matrices will do; `realisation` tells what they obey.
         inputs: numbers u(t) by tables, by name, each as (times, values, interpolation) with "constant", "linear" or "cubic" between
-            the times. Formulas name them, and functions of (x, t) have them as `x.u`. A run in which no formula names an input is refused.
+            the times. Formulas name them, and functions of (x, t) have them as `x.u`. A run is refused if no formula names one of them.
         drive: a control u, an element of the algebra, so that dmu/dt = ad*_(dh + u) mu: a number for each coordinate, as a
             function of (x, t), as formulas, or as formulas by the names of coordinates. It keeps the Casimirs.
         damping: the friction theta of a double bracket, which lowers h and keeps the Casimirs; or a mapping with "friction" and
@@ -222,6 +222,8 @@ class System(SystemDescription):
         step, _ = course(step, last or step)
         native = self._on_path(path)
         run = self._run(y0, step, names, native)
+        if isinstance(native, _native.System):
+            native.require_inputs()
         states = native.states_at(run.setting, times.tolist())
         error = warn_of_accuracy(native, run.setting, run.steps(times) if flag("estimate", estimate) else 0, 4)
         self._warn_of_end(states, 4)

@@ -27,7 +27,7 @@ pub(crate) fn formulas_of_forces(
     drive.iter().chain(torque).chain(fields).flatten()
 }
 
-/// Checks that one of more formulas names each of these inputs, which would do nothing otherwise.
+/// Checks that some of these further formulas names each of these inputs, which would do nothing otherwise.
 ///
 /// # Errors
 /// Returns `ValueError` in the words of the program, which name the first one that none names.

@@ -330,6 +330,11 @@ impl System {
         self.following(&model, &setting)?.balances(py, steps)
     }
 
+    /// Checks that a formula of the system names each of the inputs, for a run without events.
+    fn require_inputs(&self) -> PyResult<()> {
+        self.require_named_inputs(&[])
+    }
+
     /// Returns the states at times in the order of the run, as rows.
     fn states_at<'py>(
         &self,
@@ -338,7 +343,6 @@ impl System {
         times: Vec<f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let model = self.model(setting.1)?;
-        self.require_named_inputs(&[])?;
         model.require_until(times.last().copied().unwrap_or(0.0))?;
         self.following(&model, &setting)?.states_at(py, &times)
     }
