@@ -121,6 +121,11 @@ impl<M, X, N> NoisyReduced<M, X, N> {
     pub const fn paths(&self) -> &BrownianPaths {
         &self.paths
     }
+
+    /// Returns the solver of the fixed-point iteration: by default one to the round-off floor, with at most 200 sweeps.
+    pub const fn solver(&self) -> &StageSolver {
+        &self.solver
+    }
 }
 
 /// The rate ζ = a ξ + Σ_k w_k σ_k at a time, with a = 0 or 1.

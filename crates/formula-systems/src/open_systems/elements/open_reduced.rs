@@ -23,8 +23,8 @@ where
     fn new(multipliers: M, system: &OpenSystem, tolerance: f64) -> Option<Self> {
         let (noise, paths) = (system.terms().noise.as_ref()?, *system.paths()?);
         let [drift, fields] = [(); 2].map(|()| ElementField::new(system.clone()));
-        let solver = StageSolver { tolerance, ..StageSolver::default() };
         let steps = NoisyReduced::new(multipliers, drift, fields, paths);
+        let solver = StageSolver { tolerance, ..*steps.solver() };
         Some(Self { steps: steps.with_rule(noise.rule).with_solver(solver), path: noise.path })
     }
 }

@@ -1,6 +1,6 @@
 //! The midpoint rule without a lift along paths of a noise by formulas.
 
-use super::support::{Texts, distance, open};
+use super::support::{self, Texts, distance, open};
 use collective_integrators::{AnyState, Integrator, NoiseRule, Start};
 use heavytop::methods::Formulation;
 use lie_poisson::{InputTable, Interpolation, Quaternion};
@@ -95,6 +95,18 @@ fn paths_with_gilberts_damping_are_those_of_the_lift() {
         assert!(distance(&reduced, &lifted) < 1e-12, "{rule:?} {reduced:?} {lifted:?}");
         assert!(change(&spin, &start, &reduced) < 5e-14);
     }
+}
+
+/// The stages of a step in which the motion turns by more than a radian take more than the 60 sweeps of other methods.
+#[test]
+fn long_steps_are_those_of_the_lift() {
+    let (start, step) = ([1.0; 3], 1.2);
+    let warm = Texts { friction: Some(0.1), temperature: Some(0.2), ..Texts::default() };
+    let body = open("so(3)", "(Pi1^2/2 + Pi2^2/2 + Pi3^2)/2", &warm, step).unwrap();
+    let [reduced, lifted] = ["reduced", "collective"]
+        .map(|name| support::after(&body, (name, "implicit-midpoint"), &start, step, 10));
+    assert!(distance(&reduced, &lifted) < 1e-12, "{reduced:?} {lifted:?}");
+    assert!(change(&body, &start, &reduced) < 5e-14);
 }
 
 /// Motions with the plus bracket are those along −ξ, with noise, too.
