@@ -152,7 +152,9 @@ impl OpenSystem {
         let is_midpoint = scheme == SchemeName::ImplicitMidpoint;
         match formulation {
             Formulation::Reduced if !self.terms().formulations(algebra).contains(&formulation) => {
-                Err(refused("it has collective and direct"))
+                Err(refused(
+                    "it has collective and direct, and with noise on so(3), su(2) and se(3) reduced",
+                ))
             }
             Formulation::Reduced if !is_midpoint => Err(refused(
                 "with noise it has reduced with implicit-midpoint alone; collective and direct have others",

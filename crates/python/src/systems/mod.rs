@@ -7,3 +7,4 @@ pub(crate) mod many;
 pub(crate) mod named_inputs;
 pub(crate) mod paths;
 pub(crate) mod open;
+mod open_arguments;

@@ -1,6 +1,6 @@
 //! Inputs that some formula must name.
 
-use super::open::{InputArgument, NoiseSource, OpenArgument};
+use super::open_arguments::{InputArgument, NoiseSource, OpenArgument};
 use crate::formulas::FormulaSource;
 use pyo3::PyResult;
 use pyo3::exceptions::PyValueError;

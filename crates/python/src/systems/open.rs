@@ -1,6 +1,7 @@
 //! What drives, damps, shakes or forces a system, as Python passes it.
 
 use super::named_inputs::{require_named, unnamed_inputs};
+use super::open_arguments::{Element, InputArgument, NoiseSource, OpenArgument, PathArgument};
 use crate::errors::refused;
 use crate::formulas::{FormulaSource, expressions};
 use collective_integrators::NoiseRule;
@@ -20,38 +21,6 @@ use pyo3::{FromPyObject, IntoPyObject, PyErr, PyResult};
 
 /// What is said where a path is asked for and there is no noise.
 pub(crate) const WITHOUT_PATH: &str = "path is of systems with noise, and this one has none";
-
-/// An input: its name, times, values, and the name of the interpolation.
-pub(crate) type InputArgument = (String, Vec<f64>, Vec<f64>, String);
-
-/// A formula for each coordinate.
-type Element = Vec<FormulaSource>;
-
-/// The friction; whether it is Gilbert's damping, if it has a form, which is of spins; and the rows of the inner product.
-type DampingArgument = (f64, Option<bool>, Option<Vec<f64>>);
-
-/// The noise; its seed, path, interval and bound; and whether its fields act one after the other.
-type NoiseArgument = (NoiseSource, PathArgument, bool);
-
-/// Where a noise comes from.
-#[derive(Clone, FromPyObject, IntoPyObject)]
-pub(crate) enum NoiseSource {
-    /// A temperature.
-    Temperature((f64,)),
-    /// A strength, and the rows of an inner product.
-    Strength(f64, Option<Vec<f64>>),
-    /// Fields by formulas.
-    Fields(Vec<Element>),
-}
-
-/// The inputs, the drive, the damping, the noise, and the torque.
-pub(crate) type OpenArgument = (
-    Vec<InputArgument>,
-    Option<Element>,
-    Option<DampingArgument>,
-    Option<NoiseArgument>,
-    Option<Element>,
-);
 
 /// Returns the inputs.
 ///
@@ -153,9 +122,6 @@ pub(crate) fn of_formula(
     };
     system.map_err(refused)
 }
-
-/// The seed, the path, the interval and the bound of a noise.
-pub(crate) type PathArgument = (u64, u64, Option<f64>, Option<f64>);
 
 /// The least and the largest degree of a shell of harmonics, and the strength of the noise in it.
 type ShellArgument = ((usize, usize), f64);

@@ -4,7 +4,8 @@ use super::algebra::{
     AlgebraSource, Groups, ParameterArgument, Realisation, groups, parameters, realised,
 };
 use super::named_inputs::{formulas_of_forces, require_named, unnamed_inputs};
-use super::open::{ModelOfRun, OpenArgument, WITHOUT_PATH, inputs, of_formula, terms};
+use super::open::{ModelOfRun, WITHOUT_PATH, inputs, of_formula, terms};
+use super::open_arguments::OpenArgument;
 use crate::arrays::rows;
 use crate::errors::refused;
 use crate::formulas::FormulaSource;

@@ -233,9 +233,9 @@ impl dyn Model + '_ {
                 let of_noise = angle.filter(|angle| *angle > MOST_NOISE);
                 let of_noise = of_noise.map(|angle| {
                     format!(
-                        "the noise turns the state by about {angle:.1e} rad in a step, of which a third is safe: means may be \
-                         wrong, and steps may fail; compare with a step of {:.1e} or less",
-                        accuracy.step.abs() * (MOST_NOISE / angle).powi(2)
+                        "the noise turns the state by about {angle:.1e} rad in a step, where at most 1/3 rad is safe: means may be wrong, \
+                         and steps may fail; compare with a step of {:.1e} or less",
+                        accuracy.step.abs() * (1.0 / (3.0 * angle)).powi(2)
                     )
                 });
                 let of_motion = RunAccuracy { error: None, chaos: None, ..*accuracy }.warning();
