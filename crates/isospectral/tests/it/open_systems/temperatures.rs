@@ -83,7 +83,7 @@ fn a_matrix_at_a_temperature_has_langevins_mean() {
 /// Steps so long that σ²hN/12, by which the increments are squeezed, counts: 1/30 and 1/15.
 #[test]
 #[ignore = "takes a minute"]
-fn the_temperature_of_long_steps_is_that_of_the_weak_order_two() {
+fn many_times_the_temperature_of_long_steps_is_that_of_the_weak_order_two() {
     for step in [0.4, 0.8] {
         let part = thermal().strength.powi(2) * step / 6.0;
         // Noise which is stronger by 1/c: the increments as they are, at a temperature that is too high by this part.
