@@ -2,16 +2,20 @@
 #![allow(unsafe_code)] // the allocator that counts
 
 use collective_integrators::{
-    Alternating, BatchIntegrator, Collective, CollectiveSites, Composition, DenseOutput, Direct,
-    Direction, Events, ExactFlows, Integrator, Laned, LiftFree, LiftFreeSites, LyapunovExponents,
-    RungeKutta, SphericalMidpoint, Splitting, StagesInLanes, Start, Substeps, TaoFlows,
-    VariationalFlow, VectorField,
+    Alternating, AnyState, BatchIntegrator, Collective, CollectiveSites, Composition, DenseOutput,
+    Direct, Direction, Events, ExactFlows, Integrator, Laned, LiftFree, LiftFreeSites,
+    LyapunovExponents, NoiseRule, RungeKutta, SphericalMidpoint, Splitting, StagesInLanes, Start,
+    Substeps, TaoFlows, VariationalFlow, VectorField,
 };
+use heavytop::methods::{Formulation, SchemeName};
 use heavytop::{CollectiveGauss, SpinorRealisation, TopMidpoint, WithAttitude};
 use isospectral_flows::{
     CommutatorField, ExponentialMidpoint, GaussMagnus, IsospectralRungeKutta, Products,
 };
 use lie_poisson::{Covector, Pair, Se3, Se3Dual, Sites};
+use lie_poisson_formula_systems::{
+    NamedInputs, NoiseFields, NoiseTerms, OpenNames, OpenSystem, OpenTerms, SystemAlgebra,
+};
 use lie_poisson_formulas::{FormulaHamiltonian, Parameters, Vocabulary};
 use lie_poisson_systems::{GeneralisedRigidBody, HeisenbergLattice, LatticeMidpoint, ManyVortices};
 use momentum_map::{DualQuaternions, HOPF, Quaternions};
@@ -220,6 +224,30 @@ fn no_step_in_place_of_a_state_on_the_heap_allocates() -> Result<(), Box<dyn Err
     let midpoint = direct(RungeKutta::implicit_midpoint());
     let mut run = midpoint.trajectory(&start, 0.01)?.take(10);
     assert!(allocations(|| Ok(run.try_for_each(|sample| sample.map(drop))?))? >= 10);
+    Ok(())
+}
+
+/// The midpoint rule without a lift along a path by formulas in the time.
+#[test]
+fn no_step_of_a_path_by_formula_allocates() -> Result<(), Box<dyn Error>> {
+    let inputs = NamedInputs::default();
+    let names = OpenNames::new(SystemAlgebra::named("so(3)")?, &inputs, Parameters::new())?;
+    let (base, hamiltonian) = names.system("(Pi1^2 + 2*Pi2^2)/2 + cos(t)*Pi3")?;
+    let field = ["0.2*cos(t)", "0", "0.1*Pi3"].map(|text| names.formula("noise", text));
+    let noise = NoiseTerms {
+        fields: NoiseFields::Formulas(vec![field.into_iter().collect::<Result<_, _>>()?]),
+        seed: 1,
+        path: 0,
+        rule: NoiseRule::Together,
+        interval: None,
+        bound: None,
+    };
+    let terms = OpenTerms { inputs, hamiltonian, noise: Some(noise), ..OpenTerms::default() };
+    let open = OpenSystem::new(base, terms, 0.01)?;
+    let method = open.method(Formulation::Reduced, SchemeName::ImplicitMidpoint, 0.0)?;
+    let start = [0.6, -0.5, 1.2];
+    let integrator = open.tangent_integrator(&method, &start)?.without_tangents();
+    assert_eq!(in_place(&integrator, integrator.start(&AnyState::from_slice(&start))?)?, 0);
     Ok(())
 }
 

@@ -136,11 +136,11 @@ impl NamedInputs {
 
     /// Appends the time and the values of the inputs to the coordinates of a momentum. A time that misses the end of a table by
     /// rounding is the end.
-    pub fn append<T: Real>(&self, time: T, x: &mut Vec<T>) {
-        x.push(time);
+    pub fn append<T: Real>(&self, time: T, x: &mut impl Extend<T>) {
+        x.extend([time]);
         for (_, table) in &self.tables {
             let time = time.lane_by_lane(time, |time, _| inside(table, time)) + derivative_of(time);
-            x.push(table.at(time));
+            x.extend([table.at(time)]);
         }
         if let Some(orbit) = &self.orbit {
             let [[rate, _], [tide, _]] = orbit.rate_and_tide(time);

@@ -61,13 +61,13 @@ fn lost() -> RunFailure {
     TangentGrowth::follow(&integrator, &origin, schedule, (1, &method), &mut |_, _| ()).unwrap_err()
 }
 
-/// Searches the zeros of a function that has no value later.
 /// Returns why so many paths of a noise, which moves a formula out of its domain, have no statistics.
 fn paths(paths: u64, rows: u64) -> RunFailure {
     let run = noisy("so(3)", "ln(Pi3 + 0.9)", pace(1.0 / rows as f64, 100.0, 1));
     PathEnsemble { paths, quantiles: vec![0.5] }.follow(&run, |_| true).unwrap_err()
 }
 
+/// Searches the zeros of a function that has no value later.
 fn no_event() -> RunFailure {
     let names = Vocabulary::of(&Se3::default(), &Parameters::new()).unwrap();
     let functions = vec![Formula::new("ln(Gamma1*Gamma1 - 0.3)", &names).unwrap()];

@@ -4,9 +4,13 @@ use crate::open_systems::open_system::OpenSystem;
 use crate::open_systems::open_terms::{NoiseFields, NoiseTerms};
 use collective_integrators::NoiseRule;
 use lie_poisson::{LieAlgebra, LiePoisson, Momentum, Noise, OrbitField, Real, State, Vector};
+use smallvec::SmallVec;
 
 /// The largest dimension of an algebra whose multipliers are known: that of se(3).
 const MOST: usize = 6;
+
+/// The coordinates, the time and so many inputs need no allocation.
+const MOST_NAMES: usize = 16;
 
 /// The drift of an open system, and its noise, on the dual of so(3) or se(3) with the minus bracket.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +49,7 @@ impl ElementField {
         let at = |i: usize| if i < dimension { mu.coordinate(i) } else { T::zero() };
         let numbers: [T; MOST] = core::array::from_fn(at);
         let numbers = numbers.get(..dimension).unwrap_or_default();
-        let mut with_inputs = Vec::new();
+        let mut with_inputs: SmallVec<[T; MOST_NAMES]> = SmallVec::new();
         if self.has_inputs {
             with_inputs.extend_from_slice(numbers);
             self.system.terms().inputs.append(time, &mut with_inputs);
